@@ -1,0 +1,219 @@
+//! The command line: reads arguments and files, calls the generator, writes what it gave.
+//!
+//! Text for people on standard output, diagnostics on standard error. Exit 0 fine, 1 the
+//! specification or the data is wrong, 2 what is on disk differs, 3 wrong usage.
+
+mod commands;
+mod figure;
+mod recording;
+mod replay;
+mod report;
+mod run;
+mod svg;
+mod thin;
+
+use std::fs;
+use std::io::{self, IsTerminal as _, Read as _};
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use deadbeat_codegen::{Generator, Language, Report, Settings};
+
+/// Finite-time state observers in Rust and C from a plant specification.
+#[derive(Parser)]
+#[command(name = "deadbeat", version, about, arg_required_else_help = true)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Everything up to the design: prints errors and warnings, writes nothing
+    Check {
+        /// Specifications; `-` is standard input
+        #[arg(required = true)]
+        specs: Vec<PathBuf>,
+        #[command(flatten)]
+        common: Common,
+    },
+    /// The design: constants, certificate, cost
+    Design {
+        /// A specification; `-` is standard input
+        spec: PathBuf,
+        #[command(flatten)]
+        common: Common,
+    },
+    /// Writes the generated files, only those that changed
+    Generate {
+        /// Specifications; `-` is standard input
+        #[arg(required = true)]
+        specs: Vec<PathBuf>,
+        #[command(flatten)]
+        target: Target,
+        #[command(flatten)]
+        common: Common,
+    },
+    /// Compares a folder with what would be generated; exit 2 when stale, missing or left over
+    Verify {
+        /// Specifications; `-` is standard input
+        #[arg(required = true)]
+        specs: Vec<PathBuf>,
+        #[command(flatten)]
+        target: Target,
+        #[command(flatten)]
+        common: Common,
+    },
+    /// Replays a recording through the generated step and reports the errors
+    Run(run::Options),
+    /// Methods with their keys and realisations, and targets
+    List {
+        /// A method, for its page
+        method: Option<String>,
+        #[command(flatten)]
+        common: Common,
+    },
+}
+
+/// Where files go, and which.
+#[derive(Args)]
+struct Target {
+    /// The folder
+    #[arg(long, value_name = "DIR")]
+    out: PathBuf,
+    /// The language, may be repeated; Rust and C by default
+    #[arg(long)]
+    lang: Vec<Lang>,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Lang {
+    Rust,
+    C,
+    /// The Program as text
+    Step,
+}
+
+impl Target {
+    fn languages(&self) -> Vec<Language> {
+        let language = |lang: &Lang| match lang {
+            Lang::Rust => Language::Rust,
+            Lang::C => Language::C,
+            Lang::Step => Language::Step,
+        };
+        if self.lang.is_empty() { vec![Language::Rust, Language::C] } else { self.lang.iter().map(language).collect() }
+    }
+}
+
+/// What every command takes.
+#[derive(Args)]
+struct Common {
+    /// Text for people, or JSON for machines
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+    /// The float type, instead of the file's
+    #[arg(long, value_enum)]
+    scalar: Option<ScalarWord>,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Format {
+    Text,
+    Json,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum ScalarWord {
+    F32,
+    F64,
+}
+
+impl Common {
+    fn settings(&self) -> Settings {
+        let scalar = self.scalar.map(|word| match word {
+            ScalarWord::F32 => deadbeat_codegen::program::Scalar::F32,
+            ScalarWord::F64 => deadbeat_codegen::program::Scalar::F64,
+        });
+        Settings { scalar }
+    }
+
+    fn json(&self) -> bool {
+        self.format == Format::Json
+    }
+}
+
+/// How a command ends.
+enum End {
+    /// Exit 0.
+    Fine,
+    /// Exit 1, already explained.
+    Wrong,
+    /// Exit 2.
+    Differs,
+}
+
+/// What stopped a command; the text is for standard error.
+struct Failure(String);
+
+impl From<String> for Failure {
+    fn from(text: String) -> Self {
+        Self(text)
+    }
+}
+
+/// Runs the program.
+pub fn main() -> ExitCode {
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(error) => {
+            let code = if error.use_stderr() { 3 } else { 0 };
+            let _ = error.print();
+            return ExitCode::from(code);
+        }
+    };
+    match dispatch(&arguments.command) {
+        Ok(End::Fine) => ExitCode::SUCCESS,
+        Ok(End::Wrong) => ExitCode::from(1),
+        Ok(End::Differs) => ExitCode::from(2),
+        Err(Failure(text)) => {
+            eprintln!("error: {text}");
+            ExitCode::from(1)
+        }
+    }
+}
+
+fn dispatch(command: &Command) -> Result<End, Failure> {
+    match command {
+        Command::Check { specs, common } => commands::check(specs, common),
+        Command::Design { spec, common } => commands::design(spec, common),
+        Command::Generate { specs, target, common } => commands::generate(specs, target, common),
+        Command::Verify { specs, target, common } => commands::verify(specs, target, common),
+        Command::Run(options) => run::run(options),
+        Command::List { method, common } => commands::list(method.as_deref(), common),
+    }
+}
+
+/// Reads a specification; its name in messages is the path as given, with forward slashes.
+fn read_spec(path: &PathBuf, settings: Settings) -> Result<Generator, Failure> {
+    let name = path.to_string_lossy().replace('\\', "/");
+    let text = if name == "-" {
+        let mut text = String::new();
+        io::stdin().read_to_string(&mut text).map(|_| text)
+    } else {
+        fs::read_to_string(path)
+    };
+    let text = text.map_err(|error| Failure(format!("cannot read {name}: {error}")))?;
+    Ok(Generator::new(&text, if name == "-" { "standard input" } else { &name }).with(settings))
+}
+
+/// Shows a report on standard error, with colours on a terminal.
+fn show(report: &Report) {
+    eprint!("{}", report.render(io::stderr().is_terminal()));
+}
+
+/// Prints to standard output; a closed pipe is not an error.
+fn print(text: &str) {
+    use io::Write as _;
+    let _ = io::stdout().write_all(text.as_bytes());
+}

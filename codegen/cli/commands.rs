@@ -1,0 +1,178 @@
+//! The commands that do not replay: check, design, generate, verify, list.
+
+use std::fmt::Write as _;
+use std::path::PathBuf;
+
+use deadbeat_codegen::method::{METHODS, Method};
+use deadbeat_codegen::{Difference, Generated, Output, Report};
+use serde_json::{Value, json};
+use similar::TextDiff;
+
+use super::{Common, End, Failure, Target, print, read_spec, report, show};
+
+/// Designs every specification; all or none.
+fn designed(specs: &[PathBuf], common: &Common) -> Result<Option<Vec<(Generated, Output)>>, Failure> {
+    let mut all = Vec::new();
+    let mut wrong = false;
+    for path in specs {
+        let generator = read_spec(path, common.settings())?;
+        match generator.design() {
+            Ok(generated) => {
+                show(&generated.report);
+                let output = Output::new(&generated, generator.source());
+                all.push((generated, output));
+            }
+            Err(report) => {
+                show(&report);
+                wrong = true;
+            }
+        }
+    }
+    if let Some(twice) = first_double(&all) {
+        return Err(Failure(format!("two specifications are named `{twice}` and would write the same files")));
+    }
+    Ok((!wrong).then_some(all))
+}
+
+fn first_double(all: &[(Generated, Output)]) -> Option<&str> {
+    let mut names: Vec<&str> = all.iter().map(|(generated, _)| generated.plant.name.as_str()).collect();
+    names.sort_unstable();
+    names.windows(2).find(|pair| pair[0] == pair[1]).map(|pair| pair[0])
+}
+
+/// `deadbeat check`
+pub fn check(specs: &[PathBuf], common: &Common) -> Result<End, Failure> {
+    let mut reports = Vec::new();
+    for path in specs {
+        reports.push(read_spec(path, common.settings())?.check());
+    }
+    if common.json() {
+        let all: Vec<Value> = reports.iter().flat_map(|r| r.to_json().as_array().cloned().unwrap_or_default()).collect();
+        print(&format!("{:#}\n", Value::Array(all)));
+    } else {
+        reports.iter().for_each(show);
+        let fine = reports.iter().filter(|r| !r.has_errors()).count();
+        print(&format!("{fine} of {} fine\n", reports.len()));
+    }
+    Ok(if reports.iter().any(Report::has_errors) { End::Wrong } else { End::Fine })
+}
+
+/// `deadbeat design`
+pub fn design(spec: &PathBuf, common: &Common) -> Result<End, Failure> {
+    let generated = match read_spec(spec, common.settings())?.design() {
+        Ok(generated) => generated,
+        Err(report) => {
+            show(&report);
+            return Ok(End::Wrong);
+        }
+    };
+    show(&generated.report);
+    print(&if common.json() { format!("{:#}\n", report::json(&generated)) } else { report::text(&generated) });
+    Ok(End::Fine)
+}
+
+/// `deadbeat generate`
+pub fn generate(specs: &[PathBuf], target: &Target, common: &Common) -> Result<End, Failure> {
+    let Some(all) = designed(specs, common)? else { return Ok(End::Wrong) };
+    let mut written = Vec::new();
+    for (_, output) in all {
+        let paths = output.only(&target.languages()).write_to(&target.out);
+        written.extend(paths.map_err(|error| Failure(format!("cannot write into {}: {error}", target.out.display())))?);
+    }
+    let names: Vec<String> = written.iter().map(|path| path.display().to_string()).collect();
+    print(&if common.json() {
+        format!("{:#}\n", json!({ "written": names }))
+    } else if names.is_empty() {
+        "nothing has changed\n".into()
+    } else {
+        names.iter().fold(String::new(), |text, name| text + "wrote " + name + "\n")
+    });
+    Ok(End::Fine)
+}
+
+/// `deadbeat verify`
+pub fn verify(specs: &[PathBuf], target: &Target, common: &Common) -> Result<End, Failure> {
+    let Some(all) = designed(specs, common)? else { return Ok(End::Wrong) };
+    let outputs: Vec<Output> = all.into_iter().map(|(_, output)| output.only(&target.languages())).collect();
+    let differences = Output::verify(&outputs, &target.out)
+        .map_err(|error| Failure(format!("cannot read {}: {error}", target.out.display())))?;
+    print(&if common.json() {
+        let list: Vec<Value> = differences.iter().map(difference_json).collect();
+        format!("{:#}\n", json!({ "differences": list }))
+    } else if differences.is_empty() {
+        format!("{} is up to date\n", target.out.display())
+    } else {
+        differences.iter().map(difference_text).collect()
+    });
+    Ok(if differences.is_empty() { End::Fine } else { End::Differs })
+}
+
+fn difference_text(difference: &Difference) -> String {
+    match difference {
+        Difference::Missing(path) => format!("missing: {}\n", path.display()),
+        Difference::LeftOver(path) => format!("left over, no specification makes it: {}\n", path.display()),
+        Difference::Stale { path, found, wanted } => {
+            let path = path.display();
+            let diff = TextDiff::from_lines(found, wanted);
+            let unified = diff.unified_diff().header(&format!("{path} (on disk)"), &format!("{path} (generated)")).to_string();
+            format!("stale: {path}\n{unified}")
+        }
+    }
+}
+
+fn difference_json(difference: &Difference) -> Value {
+    let (kind, path) = match difference {
+        Difference::Missing(path) => ("missing", path),
+        Difference::LeftOver(path) => ("left over", path),
+        Difference::Stale { path, .. } => ("stale", path),
+    };
+    json!({ "kind": kind, "path": path.display().to_string() })
+}
+
+/// `deadbeat list`
+pub fn list(method: Option<&str>, common: &Common) -> Result<End, Failure> {
+    if let Some(name) = method {
+        let known = || METHODS.iter().map(|m| m.name).collect::<Vec<_>>().join(", ");
+        let method = METHODS.iter().find(|m| m.name == name);
+        let method = method.ok_or_else(|| Failure(format!("there is no method `{name}`; the methods are: {}", known())))?;
+        print(&if common.json() { format!("{:#}\n", method_json(method)) } else { page(method) });
+        return Ok(End::Fine);
+    }
+    if common.json() {
+        let methods: Vec<Value> = METHODS.iter().map(method_json).collect();
+        print(&format!("{:#}\n", json!({ "methods": methods, "scalars": ["f32", "f64"], "languages": ["rust", "c"] })));
+        return Ok(End::Fine);
+    }
+    let mut text = String::from("Methods\n");
+    for method in METHODS {
+        let _ = writeln!(text, "  {:<16} {}\n  {:<16} source: {}", method.name, method.summary, "", method.source);
+        for (name, what) in method.realizations {
+            let _ = writeln!(text, "  {:<16} realization {name}: {what}", "");
+        }
+    }
+    text += "Targets\n  rust, f32 or f64   no_std, no allocation; needs the crate `deadbeat`\n";
+    text += "  c, f32 or f64      C99, also C++ and MSVC; needs nothing\n";
+    text += "`deadbeat list METHOD` prints a method's page.\n";
+    print(&text);
+    Ok(End::Fine)
+}
+
+fn page(method: &Method) -> String {
+    let mut text = format!("[observer.{}]  {}\nSource: {}\n\nKeys\n", method.name, method.summary, method.source);
+    let width = method.keys.iter().map(|(_, kind, _)| kind.chars().count()).max().unwrap_or(0);
+    for (key, kind, meaning) in method.keys {
+        let _ = writeln!(text, "  {key:<12} {kind:<width$}  {meaning}");
+    }
+    let _ = write!(text, "\nRealizations\n");
+    for (name, what) in method.realizations {
+        let _ = writeln!(text, "  {name:<12} {what}");
+    }
+    format!("{text}\n{}", method.page)
+}
+
+fn method_json(method: &Method) -> Value {
+    let keys: Vec<Value> =
+        method.keys.iter().map(|(key, kind, meaning)| json!({ "key": key, "value": kind, "meaning": meaning })).collect();
+    let realizations: Vec<&str> = method.realizations.iter().map(|(name, _)| *name).collect();
+    json!({ "name": method.name, "summary": method.summary, "source": method.source, "keys": keys, "realizations": realizations })
+}

@@ -1,0 +1,174 @@
+//! Feeds a recording to the interpreter, one sample a step, and compares what comes out.
+//!
+//! A row's held input is applied from that row's time until the next row's; the step at a row
+//! therefore gets the held inputs of the row before and the first-order inputs of this one. Where
+//! the recording's time jumps over samples, the step is told that they are missing.
+
+use deadbeat_codegen::plant::{Hold, Plant};
+use deadbeat_codegen::program::interp::Interpreter;
+use deadbeat_codegen::program::{Program, Status};
+
+/// Errors of one compared state after convergence.
+#[derive(Clone, Debug, Default)]
+pub struct Errors {
+    sum_of_squares: f64,
+    /// Largest magnitude.
+    pub max: f64,
+    /// Rows compared.
+    pub rows: u64,
+}
+
+impl Errors {
+    fn add(&mut self, error: f64) {
+        self.sum_of_squares += error * error;
+        self.max = self.max.max(error.abs());
+        self.rows += 1;
+    }
+
+    /// Root mean square; 0 when nothing was compared.
+    #[expect(clippy::cast_precision_loss, reason = "a recording has fewer than 2^53 rows")]
+    pub fn rms(&self) -> f64 {
+        if self.rows == 0 { 0.0 } else { (self.sum_of_squares / self.rows as f64).sqrt() }
+    }
+}
+
+/// One row of a recording.
+#[derive(Clone, Debug, Default)]
+pub struct Row {
+    /// s; absent when the recording has no time.
+    pub t: Option<f64>,
+    /// Per output; NaN when missing.
+    pub outputs: Vec<f64>,
+    /// Per input; NaN when missing.
+    pub inputs: Vec<f64>,
+    /// Per state; NaN when it is not compared, or not known.
+    pub references: Vec<f64>,
+}
+
+/// What a step at a row gave.
+#[derive(Clone, Debug)]
+pub struct Sample {
+    /// s since the first row, or the recording's own time.
+    pub t: f64,
+    /// Per state.
+    pub estimate: Vec<f64>,
+    /// Of the estimate.
+    pub status: Status,
+}
+
+/// A replay under way.
+pub struct Replay<'a> {
+    plant: &'a Plant,
+    interpreter: Interpreter,
+    held: Vec<f64>,
+    previous: Option<Row>,
+    steps: u64,
+    odd_rows: u32,
+    /// Rows fed.
+    pub rows: u64,
+    /// Rows with a converged or coasting estimate.
+    pub converged_rows: u64,
+    /// Samples that the recording's time left out.
+    pub left_out: u64,
+    /// Per state.
+    pub errors: Vec<Errors>,
+}
+
+/// Rows in a row whose spacing does not fit before the recording is refused.
+const ODD_ROWS: u32 = 8;
+/// Samples that one jump of the time may leave out.
+const LARGEST_GAP: f64 = 1e6;
+
+impl<'a> Replay<'a> {
+    /// Starts with nothing seen.
+    pub fn new(plant: &'a Plant, program: &Program) -> Self {
+        Self {
+            plant,
+            interpreter: Interpreter::new(program),
+            held: vec![0.0; plant.inputs.len()],
+            previous: None,
+            steps: 0,
+            odd_rows: 0,
+            rows: 0,
+            converged_rows: 0,
+            left_out: 0,
+            errors: vec![Errors::default(); plant.states.len()],
+        }
+    }
+
+    /// One row; an error says why its time does not fit.
+    pub fn feed(&mut self, row: &Row) -> Result<Sample, String> {
+        let gap = self.gap(row)?;
+        let previous = self.previous.take();
+        let mut estimate = vec![0.0; self.plant.states.len()];
+        if let Some(previous) = &previous {
+            for missing in 1..gap {
+                let inputs = self.inputs(previous, row, missing, gap);
+                let nothing = vec![f64::NAN; self.plant.outputs.len()];
+                self.interpreter.step(&nothing, &inputs, &mut estimate);
+                self.steps += 1;
+                self.left_out += 1;
+            }
+        }
+        let inputs = self.inputs(previous.as_ref().unwrap_or(row), row, gap, gap);
+        let status = self.interpreter.step(&row.outputs, &inputs, &mut estimate);
+        self.compare(row, &estimate, status);
+        let t = row.t.unwrap_or_else(|| self.now());
+        self.steps += 1;
+        self.rows += 1;
+        self.previous = Some(row.clone());
+        Ok(Sample { t, estimate, status })
+    }
+
+    #[expect(clippy::cast_precision_loss, reason = "a recording has fewer than 2^53 rows")]
+    fn now(&self) -> f64 {
+        self.steps as f64 * self.plant.sample_time_s()
+    }
+
+    fn compare(&mut self, row: &Row, estimate: &[f64], status: Status) {
+        if status == Status::Converging {
+            return;
+        }
+        self.converged_rows += 1;
+        for ((errors, reference), estimate) in self.errors.iter_mut().zip(&row.references).zip(estimate) {
+            if reference.is_finite() {
+                errors.add(estimate - reference);
+            }
+        }
+    }
+
+    /// Inputs for the step that is `step` of `gap` samples behind the previous row.
+    #[expect(clippy::cast_precision_loss, reason = "a gap is below 10^6")]
+    fn inputs(&mut self, previous: &Row, row: &Row, step: u64, gap: u64) -> Vec<f64> {
+        let share = step as f64 / gap as f64;
+        for (i, input) in self.plant.inputs.iter().enumerate() {
+            self.held[i] = match input.hold {
+                Hold::Zero => previous.inputs[i],
+                Hold::First if step == gap => row.inputs[i],
+                Hold::First => previous.inputs[i] + share * (row.inputs[i] - previous.inputs[i]),
+            };
+        }
+        self.held.clone()
+    }
+
+    /// Samples since the previous row, at least 1.
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "rounded, positive and bounded just before")]
+    fn gap(&mut self, row: &Row) -> Result<u64, String> {
+        let Some((before, now)) = self.previous.as_ref().and_then(|p| p.t).zip(row.t) else { return Ok(1) };
+        let h = self.plant.sample_time_s();
+        let samples = (now - before) / h;
+        if samples.is_nan() || samples <= 0.0 {
+            return Err(format!("the time does not rise: {now} s behind {before} s"));
+        }
+        if samples > LARGEST_GAP {
+            return Err(format!("the time jumps by {samples:.0} samples, from {before} s to {now} s"));
+        }
+        let fits = (0.75..1.5).contains(&samples);
+        self.odd_rows = if fits { 0 } else { self.odd_rows + 1 };
+        if self.odd_rows == ODD_ROWS {
+            let spacing = now - before;
+            return Err(format!("rows are {spacing:.6} s apart, the specification's sample time is {h} s"));
+        }
+        Ok((samples.round() as u64).max(1))
+    }
+}

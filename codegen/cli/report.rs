@@ -1,0 +1,97 @@
+//! What `deadbeat design` prints: the design as text and as JSON.
+
+use std::fmt::Write as _;
+
+use deadbeat_codegen::describe::{self, short};
+use deadbeat_codegen::program::cost::{Cost, cost};
+use deadbeat_codegen::{Generated, Language, VERSION, Source};
+use serde_json::{Map, Value, json};
+
+fn counted(generated: &Generated) -> Cost {
+    cost(&generated.program, deadbeat_math::COSTS)
+}
+
+/// The design for machines; the keys are those of the manual.
+pub fn json(generated: &Generated) -> Value {
+    let (plant, design) = (&generated.plant, &generated.design);
+    let names = |labels: Vec<&deadbeat_codegen::plant::Label>| -> Vec<String> { labels.iter().map(|l| l.name.clone()).collect() };
+    let constants: Map<String, Value> =
+        design.constants.iter().map(|matrix| (matrix.letter.to_owned(), json!(matrix.rows))).collect();
+    let fir = design.fir.as_ref().map(|fir| json!({ "known": fir.known, "K": fir.k, "M": fir.m }));
+    let cost = counted(generated);
+    let certificate = &design.certificate;
+    let warnings: Vec<Value> =
+        generated.report.diagnostics.iter().map(|d| json!({ "code": d.code, "message": d.message })).collect();
+    json!({
+        "deadbeat": VERSION,
+        "name": plant.name,
+        "method": design.method,
+        "realization": design.realization,
+        "n": plant.states.len(),
+        "inputs": names(plant.inputs.iter().map(|u| &u.label).collect()),
+        "outputs": names(plant.outputs.iter().map(|y| &y.label).collect()),
+        "states": names(plant.states.iter().map(|x| &x.label).collect()),
+        "unknowns": names(plant.unknowns.iter().map(|u| &u.label).collect()),
+        "sample_time": plant.sample_time_s(),
+        "window_steps": design.window_steps,
+        "valid_from_step": design.valid_from_step,
+        "constants": constants,
+        "fir": fir,
+        "certificate": {
+            "noise_gain_l1": certificate.noise_gain_l1,
+            "noise_gain_l2": certificate.noise_gain_l2,
+            "disturbance_gain_l1": certificate.disturbance_gain_l1,
+            "error_bound": certificate.error_bound,
+        },
+        "cost": {
+            "ram_bytes": cost.ram_bytes,
+            "flash_bytes": cost.flash_bytes,
+            "stack_bytes": cost.stack_bytes,
+            "flops_worst": cost.flops_worst,
+            "flops_mean": cost.flops_worst,
+        },
+        "numerics": {
+            "digits": design.numerics.digits,
+            "agreement": design.numerics.agreement,
+            "condition": design.numerics.condition,
+            "unbiasedness": design.numerics.unbiasedness,
+        },
+        "warnings": warnings,
+    })
+}
+
+/// The design for people.
+pub fn text(generated: &Generated) -> String {
+    let design = &generated.design;
+    let source = Source { name: "".into(), text: "".into() };
+    let header = describe::header(generated, &source, Language::Step);
+    let mut text = format!("{}\n", header.title);
+    // The header without its provenance and its contract.
+    let body = header.lines.iter().skip_while(|line| !line.is_empty()).skip(1).take_while(|line| *line != "Contract:");
+    body.for_each(|line| text += &format!("{line}\n"));
+    let numerics = &design.numerics;
+    let _ = writeln!(text, "Realization  {}", design.realization);
+    let _ = writeln!(
+        text,
+        "Numerics     {} digits, agreeing to {:.0} with twice as many; condition {}; acc_(N+1) = {:.0e} of its history",
+        numerics.digits,
+        numerics.agreement,
+        short(numerics.condition),
+        numerics.unbiasedness
+    );
+    for matrix in &design.constants {
+        let _ = writeln!(text, "\n{}", matrix.letter);
+        for row in &matrix.rows {
+            let entries: Vec<String> = row.iter().map(|x| format!("{x:>24}")).collect();
+            let _ = writeln!(text, "{}", entries.join(" "));
+        }
+    }
+    if let Some(fir) = &design.fir {
+        let _ = write!(text, "\nWeights by age: x_k = sum K[j] y_(k-j) + M[j] w_(k-j); `--format json` has them all\n");
+        let _ = writeln!(text, "K[0] = {:?}", fir.k[0]);
+        if let Some(first) = fir.m.get(1).filter(|_| !fir.known.is_empty()) {
+            let _ = writeln!(text, "M[1] = {first:?}   for {}", fir.known.join(", "));
+        }
+    }
+    text
+}

@@ -1,0 +1,284 @@
+//! `deadbeat run`: a recording in, errors, estimate and figure out.
+
+use std::fmt::Write as _;
+use std::fs::File;
+use std::io::{self, BufWriter, IsTerminal as _, Read, Write as _};
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+use clap::Args;
+use deadbeat_codegen::Generated;
+use deadbeat_codegen::describe::short;
+use deadbeat_codegen::plant::Plant;
+use deadbeat_codegen::program::{Scalar, Status};
+use serde_json::{Map, Value, json};
+
+use super::figure::Curves;
+use super::recording::Recording;
+use super::replay::{Replay, Row, Sample};
+use super::{Common, End, Failure, print, read_spec, show};
+
+/// Arguments of `deadbeat run`.
+#[derive(Args)]
+pub struct Options {
+    /// A specification; `-` is standard input
+    spec: PathBuf,
+    /// The recording, with a header row; `-` is standard input
+    #[arg(long, value_name = "IN.csv")]
+    log: PathBuf,
+    /// Writes the estimate
+    #[arg(long, value_name = "EST.csv")]
+    out: Option<PathBuf>,
+    /// Draws measurements, estimate, reference and error
+    #[arg(long, value_name = "OUT.svg")]
+    plot: Option<PathBuf>,
+    /// An output or input that has another name in the recording, may be repeated
+    #[arg(long, value_name = "NAME=COLUMN", value_parser = renaming)]
+    map: Vec<(String, String)>,
+    /// A state and the column to compare it with, may be repeated
+    #[arg(long, value_name = "STATE=COLUMN", value_parser = renaming)]
+    reference: Vec<(String, String)>,
+    #[command(flatten)]
+    common: Common,
+}
+
+fn renaming(text: &str) -> Result<(String, String), String> {
+    match text.split_once('=') {
+        Some((name, column)) if !name.is_empty() && !column.is_empty() => Ok((name.to_owned(), column.to_owned())),
+        _ => Err("write NAME=COLUMN".into()),
+    }
+}
+
+/// Replays a recording.
+pub fn run(options: &Options) -> Result<End, Failure> {
+    let generated = match read_spec(&options.spec, options.common.settings())?.design() {
+        Ok(generated) => generated,
+        Err(report) => {
+            show(&report);
+            return Ok(End::Wrong);
+        }
+    };
+    show(&generated.report);
+    let plant = &generated.plant;
+    let (source, name) = open(&options.log)?;
+    let mut recording = Recording::open(source, &name).map_err(|error| Failure(error.to_string()))?;
+    let columns = Columns::find(plant, options, recording.columns())?;
+    let names: Vec<&str> = columns.names.iter().map(String::as_str).collect();
+    recording.select(&names).map_err(|error| Failure(error.to_string()))?;
+
+    let mut replay = Replay::new(plant, &generated.program);
+    let mut curves = Curves::new(&generated, &columns.compared());
+    let mut estimate = options.out.as_ref().map(|path| Estimate::create(path, plant)).transpose()?;
+    let mut progress = Progress::new();
+    let mut cells = vec![0.0; names.len()];
+    while recording.next_row(&mut cells).map_err(|error| Failure(error.to_string()))? {
+        let row = columns.row(&cells);
+        let line = recording.line();
+        let sample = replay.feed(&row).map_err(|why| Failure(format!("{name}:{line}: {why}")))?;
+        curves.add(&row, &sample);
+        if let Some(estimate) = &mut estimate {
+            estimate.write(&sample)?;
+        }
+        progress.show(replay.rows);
+    }
+    progress.finish();
+    if replay.rows == 0 {
+        return Err(Failure(format!("{name}: the recording has no rows")));
+    }
+    if let Some(path) = &options.plot {
+        write_text(path, &curves.figure(&generated, &replay).to_string())?;
+    }
+    if let Some(estimate) = estimate {
+        estimate.finish()?;
+    }
+    let compared = columns.compared();
+    print(&if options.common.json() { json_report(plant, &replay, &compared) } else { text_report(&generated, &replay, &compared) });
+    Ok(End::Fine)
+}
+
+/// The recording's bytes and its name in messages.
+fn open(path: &PathBuf) -> Result<(Box<dyn Read>, String), Failure> {
+    let name = path.display().to_string();
+    if name == "-" {
+        return Ok((Box::new(io::stdin()), "standard input".into()));
+    }
+    let file = File::open(path).map_err(|error| Failure(format!("cannot read {name}: {error}")))?;
+    Ok((Box::new(file), name))
+}
+
+/// Which columns of the recording are read, and as what.
+struct Columns {
+    names: Vec<String>,
+    timed: bool,
+    outputs: usize,
+    inputs: usize,
+    /// Per state: its place among the references.
+    references: Vec<Option<usize>>,
+}
+
+impl Columns {
+    fn find(plant: &Plant, options: &Options, there: &[String]) -> Result<Self, Failure> {
+        let renamed = |name: &str| {
+            let found = options.map.iter().find(|(from, _)| from == name);
+            found.map_or_else(|| name.to_owned(), |(_, column)| column.clone())
+        };
+        let known = |name: &str| plant.outputs.iter().map(|o| &o.label).chain(plant.inputs.iter().map(|i| &i.label)).any(|l| l.name == name);
+        if let Some((name, _)) = options.map.iter().find(|(name, _)| !known(name)) {
+            return Err(Failure(format!("--map: `{name}` is neither an output nor an input of the specification")));
+        }
+        if let Some((name, _)) = options.reference.iter().find(|(name, _)| plant.states.iter().all(|s| s.label.name != *name)) {
+            return Err(Failure(format!("--reference: `{name}` is not a state of the specification")));
+        }
+        let timed = there.iter().any(|column| column == "t");
+        let mut names: Vec<String> = if timed { vec!["t".into()] } else { Vec::new() };
+        names.extend(plant.outputs.iter().map(|o| renamed(&o.label.name)));
+        names.extend(plant.inputs.iter().map(|u| renamed(&u.label.name)));
+        let mut references = Vec::new();
+        for state in &plant.states {
+            let given = options.reference.iter().find(|(name, _)| *name == state.label.name).map(|(_, column)| column);
+            let column = given.or_else(|| there.iter().find(|column| **column == state.label.name));
+            references.push(column.map(|column| {
+                names.push(column.clone());
+                names.len() - 1
+            }));
+        }
+        Ok(Self { names, timed, outputs: plant.outputs.len(), inputs: plant.inputs.len(), references })
+    }
+
+    fn row(&self, cells: &[f64]) -> Row {
+        let first = usize::from(self.timed);
+        let (outputs, rest) = cells[first..].split_at(self.outputs);
+        let reference = |place: &Option<usize>| place.map_or(f64::NAN, |place| cells[place]);
+        Row {
+            t: self.timed.then(|| cells[0]),
+            outputs: outputs.to_vec(),
+            inputs: rest[..self.inputs].to_vec(),
+            references: self.references.iter().map(reference).collect(),
+        }
+    }
+
+    /// Per state: whether it is compared.
+    fn compared(&self) -> Vec<bool> {
+        self.references.iter().map(Option::is_some).collect()
+    }
+}
+
+/// `EST.csv` under way: written beside its place, moved there when whole.
+struct Estimate {
+    path: PathBuf,
+    part: PathBuf,
+    file: BufWriter<File>,
+    line: String,
+    single: bool,
+}
+
+impl Estimate {
+    fn create(path: &PathBuf, plant: &Plant) -> Result<Self, Failure> {
+        let mut name = path.file_name().unwrap_or_default().to_owned();
+        name.push(".part");
+        let part = path.with_file_name(name);
+        let file = File::create(&part).map_err(|error| Failure(format!("cannot write {}: {error}", part.display())))?;
+        let names: Vec<&str> = plant.states.iter().map(|s| s.label.name.as_str()).collect();
+        let line = format!("t,{},status\n", names.join(","));
+        let mut estimate =
+            Self { path: path.clone(), part, file: BufWriter::new(file), line, single: plant.scalar == Scalar::F32 };
+        estimate.flush_line()?;
+        Ok(estimate)
+    }
+
+    #[expect(clippy::cast_possible_truncation, reason = "an f32 program's estimates are singles, widened")]
+    fn write(&mut self, sample: &Sample) -> Result<(), Failure> {
+        let _ = write!(self.line, "{}", sample.t);
+        for value in &sample.estimate {
+            let _ = if self.single { write!(self.line, ",{}", *value as f32) } else { write!(self.line, ",{value}") };
+        }
+        self.line += match sample.status {
+            Status::Converging => ",converging\n",
+            Status::Converged => ",converged\n",
+            Status::Coasting => ",coasting\n",
+        };
+        self.flush_line()
+    }
+
+    fn flush_line(&mut self) -> Result<(), Failure> {
+        let result = self.file.write_all(self.line.as_bytes());
+        self.line.clear();
+        result.map_err(|error| Failure(format!("cannot write {}: {error}", self.part.display())))
+    }
+
+    fn finish(mut self) -> Result<(), Failure> {
+        let moved = self.file.flush().and_then(|()| std::fs::rename(&self.part, &self.path));
+        moved.map_err(|error| Failure(format!("cannot write {}: {error}", self.path.display())))
+    }
+}
+
+impl Drop for Estimate {
+    /// What was not finished leaves nothing behind.
+    fn drop(&mut self) {
+        let _ = std::fs::remove_file(&self.part);
+    }
+}
+
+fn write_text(path: &PathBuf, text: &str) -> Result<(), Failure> {
+    deadbeat_codegen::write_whole(path, text).map_err(|error| Failure(format!("cannot write {}: {error}", path.display())))
+}
+
+/// Rows so far, on a terminal only.
+struct Progress {
+    terminal: bool,
+    shown: Option<Instant>,
+}
+
+impl Progress {
+    fn new() -> Self {
+        Self { terminal: io::stderr().is_terminal(), shown: None }
+    }
+
+    fn show(&mut self, rows: u64) {
+        let due = || self.shown.is_none_or(|shown| shown.elapsed() > Duration::from_millis(200));
+        if self.terminal && rows.is_multiple_of(4_096) && due() {
+            eprint!("\r{rows} rows");
+            self.shown = Some(Instant::now());
+        }
+    }
+
+    fn finish(&self) {
+        if self.shown.is_some() {
+            eprint!("\r\x1b[K");
+        }
+    }
+}
+
+fn json_report(plant: &Plant, replay: &Replay, compared: &[bool]) -> String {
+    let mut errors = Map::new();
+    for ((state, error), _) in plant.states.iter().zip(&replay.errors).zip(compared).filter(|(_, compared)| **compared) {
+        errors.insert(state.label.name.clone(), json!({ "rms": error.rms(), "max": error.max }));
+    }
+    let report = json!({ "rows": replay.rows, "converged_rows": replay.converged_rows, "errors": Value::Object(errors) });
+    format!("{report:#}\n")
+}
+
+fn text_report(generated: &Generated, replay: &Replay, compared: &[bool]) -> String {
+    let plant = &generated.plant;
+    let mut text = format!(
+        "{}: {}\n{} rows, {} of them converged (from call {})\n",
+        plant.name,
+        generated.design.summary,
+        replay.rows,
+        replay.converged_rows,
+        generated.design.valid_from_step + 1
+    );
+    if replay.left_out > 0 {
+        let _ = writeln!(text, "{} samples that the recording's time leaves out were treated as missing", replay.left_out);
+    }
+    if !compared.contains(&true) {
+        text += "no column is named like a state, and no --reference was given: nothing to compare\n";
+        return text;
+    }
+    let _ = writeln!(text, "\n{:<16} {:>12} {:>12} {:>10}  unit", "error of", "RMS", "maximum", "rows");
+    for ((state, errors), _) in plant.states.iter().zip(&replay.errors).zip(compared).filter(|(_, compared)| **compared) {
+        let (rms, max) = (short(errors.rms()), short(errors.max));
+        let _ = writeln!(text, "{:<16} {rms:>12} {max:>12} {:>10}  {}", state.label.name, errors.rows, state.label.unit);
+    }
+    text
+}

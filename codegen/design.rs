@@ -1,0 +1,124 @@
+//! The design: constants in exact arithmetic, with what is promised of them.
+//!
+//! In: a plant and a method's keys. Out: constants that have settled (the same double at d and at
+//! 2d digits), a certificate, the arithmetic's own record, and the shape that the step will take.
+//! A Design knows no language.
+
+use crate::diagnostic::Diagnostic;
+use crate::plant::Plant;
+use crate::program::{Program, Scalar};
+use crate::real::Real;
+use crate::window::{self, Functional};
+
+/// A constant after its one rounding, in both float types.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Settled {
+    /// The nearest double.
+    pub double: f64,
+    /// The nearest single.
+    pub single: f32,
+}
+
+impl Settled {
+    /// Rounds once to each type.
+    pub fn round(value: &Real) -> Self {
+        Self { double: value.to_f64(), single: value.to_f32() }
+    }
+
+    /// As the step carries it.
+    pub fn value(self, scalar: Scalar) -> f64 {
+        match scalar {
+            Scalar::F32 => f64::from(self.single),
+            Scalar::F64 => self.double,
+        }
+    }
+}
+
+/// A matrix of the design under the field's letter, row-major.
+#[derive(Clone, Debug)]
+pub struct NamedMatrix {
+    /// `Phi`, `Gamma`, …
+    pub letter: &'static str,
+    /// Nearest doubles.
+    pub rows: Vec<Vec<f64>>,
+}
+
+/// The window functional for reports: `x_k = sum_j K[j] y_{k-j} + M[j] w_{k-j}`.
+#[derive(Clone, Debug)]
+pub struct Fir {
+    /// The columns of M: inputs and nonlinear injections.
+    pub known: Vec<String>,
+    /// n x p for age 0 … N.
+    pub k: Vec<Vec<Vec<f64>>>,
+    /// n x known for age 0 … N.
+    pub m: Vec<Vec<Vec<f64>>>,
+}
+
+/// What is promised of the estimate.
+#[derive(Clone, Debug, Default)]
+pub struct Certificate {
+    /// Largest error per unit of bounded noise: per state, per output.
+    pub noise_gain_l1: Vec<Vec<f64>>,
+    /// Standard deviation per unit of white noise: per state, per output.
+    pub noise_gain_l2: Vec<Vec<f64>>,
+    /// Largest error per unit of a bounded disturbance: per state, per disturbance.
+    pub disturbance_gain_l1: Vec<Vec<f64>>,
+    /// Per state, for the declared noise and disturbances; `None` where a bound is missing.
+    pub error_bound: Vec<Option<f64>>,
+}
+
+/// How the arithmetic went.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Numerics {
+    /// Decimal digits of the coarser run.
+    pub digits: usize,
+    /// Decimal digits to which both runs agree, over all constants.
+    pub agreement: f64,
+    /// Of the observability matrix with columns scaled to one.
+    pub condition: f64,
+    /// Largest entry of `acc_{N+1}` against its history; 0 in exact arithmetic.
+    pub unbiasedness: f64,
+}
+
+/// A design, complete.
+#[derive(Clone, Debug)]
+pub struct Design {
+    /// The method's name.
+    pub method: &'static str,
+    /// How the step is realised.
+    pub realization: &'static str,
+    /// What the method does here, in one line.
+    pub summary: String,
+    /// Window length in samples, N.
+    pub window_steps: usize,
+    /// The first step (from 0) whose estimate is within its bound.
+    pub valid_from_step: usize,
+    /// For reports.
+    pub constants: Vec<NamedMatrix>,
+    /// For reports.
+    pub fir: Option<Fir>,
+    /// What is promised.
+    pub certificate: Certificate,
+    /// How the arithmetic went.
+    pub numerics: Numerics,
+    /// What the user should look at.
+    pub warnings: Vec<Diagnostic>,
+    /// What the step computes.
+    pub shape: Shape,
+}
+
+/// The shapes that methods lower to.
+#[derive(Clone, Debug)]
+pub enum Shape {
+    /// A functional over the last N samples.
+    Window(Functional),
+}
+
+impl Design {
+    /// The step as a Program.
+    pub fn lower(&self, plant: &Plant) -> Result<Program, Vec<Diagnostic>> {
+        match &self.shape {
+            Shape::Window(functional) => window::lower::lower(plant, functional),
+        }
+    }
+}

@@ -1,0 +1,57 @@
+//! The part of the runtime's C source that a Program needs.
+
+use std::collections::BTreeSet;
+
+use deadbeat_math::c::FRAGMENTS;
+
+use super::super::plan::Plan;
+use super::super::split::Item;
+use super::super::split;
+use crate::program::{Op, Statement};
+
+/// The fragments that the Program's functions need, in the order in which they may be written,
+/// with the Program's prefix.
+pub fn sources(plan: &Plan) -> Vec<String> {
+    let mut needed = called(plan);
+    // A fragment stands behind those that it requires: one pass from the end finds them all.
+    for fragment in FRAGMENTS.iter().rev() {
+        if needed.contains(fragment.name) {
+            needed.extend(fragment.requires.iter().map(|name| (*name).to_owned()));
+        }
+    }
+    let used = FRAGMENTS.iter().filter(|fragment| needed.contains(fragment.name));
+    used.map(|fragment| plan.names.adopt(fragment.source.trim_end())).collect()
+}
+
+/// The names of the functions that the Program calls.
+fn called(plan: &Plan) -> BTreeSet<String> {
+    let mut names = BTreeSet::new();
+    for function in &plan.functions {
+        split::visit(&function.items, &mut |item| {
+            if let Item::Plain(Statement::Let { op: Op::Call(function, _), .. }) = item {
+                names.insert(format!("{}_{}", function.name(), plan.program.scalar));
+            }
+        });
+    }
+    names
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Claim: no name of the runtime's C source becomes a name of the interface.
+    #[test]
+    fn runtime_leaves_our_names_alone() {
+        let own = [
+            "status", "measurements", "inputs", "estimate", "state", "work", "init", "step",
+        ];
+        for fragment in FRAGMENTS {
+            let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
+            for word in fragment.source.split(|c| !is_word(c)) {
+                let name = word.strip_prefix("deadbeat_").unwrap_or("");
+                assert!(!own.contains(&name) && !name.starts_with("part_"), "{word}");
+            }
+        }
+    }
+}

@@ -1,0 +1,175 @@
+//! Every rule about names in generated code.
+//!
+//! A user's name becomes a field of a struct, as it is, and nothing else: it cannot meet a local, a
+//! parameter or a function. What stands at file scope is the generator's, and carries the
+//! specification's name in C: `pendulum_step`, `PENDULUM_WINDOW`.
+
+use crate::program::{Program, Table, TableId, Value};
+
+/// The names of one Program's output.
+pub(super) struct Names {
+    /// The specification's name.
+    pub lower: String,
+    /// The same in upper case.
+    pub upper: String,
+    tables: Vec<String>,
+}
+
+/// Names at file scope that are the generator's, without the prefix that they have in C.
+const OWN: [&str; 5] = ["H", "SAMPLE_TIME", "CONVERGING", "CONVERGED", "COASTING"];
+
+impl Names {
+    /// The names of a Program.
+    pub fn new(program: &Program) -> Self {
+        let mut tables: Vec<String> = vec![];
+        for Table { name, .. } in &program.tables {
+            let numbered = (2..).map(|number: u32| format!("{name}_{number}"));
+            let mut candidates = std::iter::once(name.clone()).chain(numbered);
+            let is_free = |name: &String| !is_own(name) && !tables.contains(name);
+            let free = candidates.find(is_free);
+            tables.push(free.unwrap_or_else(|| unreachable!("there are names without end")));
+        }
+        Self { lower: program.name.clone(), upper: program.name.to_ascii_uppercase(), tables }
+    }
+
+    /// A table's name, the same in both languages but for the prefix.
+    pub fn table(&self, table: TableId) -> &str {
+        &self.tables[usize::from(table.0)]
+    }
+
+    /// A table's name with its prefix.
+    pub fn prefixed_table(&self, table: TableId) -> String {
+        format!("{}_{}", self.upper, self.table(table))
+    }
+
+    /// A fragment of the runtime's C source with this prefix in place of its own.
+    pub fn adopt(&self, source: &str) -> String {
+        source
+            .replace("deadbeat_", &format!("{}_", self.lower))
+            .replace("DEADBEAT_", &format!("{}_", self.upper))
+    }
+}
+
+/// Whether a name at file scope is taken by the generator or by the runtime's C source.
+fn is_own(name: &str) -> bool {
+    let macro_name = format!("DEADBEAT_{name}");
+    let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    let in_runtime = |source: &str| source.split(|c| !is_word(c)).any(|word| word == macro_name);
+    OWN.contains(&name) || deadbeat_math::c::FRAGMENTS.iter().any(|it| in_runtime(it.source))
+}
+
+/// The name of a temporary.
+pub(super) fn temporary(value: Value) -> String {
+    value.to_string()
+}
+
+/// The name of the function at this place; the step itself has its own.
+pub(super) fn part(place: usize) -> String {
+    format!("part_{}", place + 1)
+}
+
+/// The nearest name in `snake_case`: `dTheta` is `d_theta`, `Motor-1` is `motor_1`.
+#[must_use]
+pub fn snake_case(name: &str) -> String {
+    let mut snake = String::new();
+    let mut before_is_lower = false;
+    for c in name.chars() {
+        if c.is_ascii_uppercase() && before_is_lower {
+            snake.push('_');
+        }
+        snake.push(if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '_' });
+        before_is_lower = c.is_ascii_lowercase() || c.is_ascii_digit();
+    }
+    let words: Vec<&str> = snake.split('_').filter(|word| !word.is_empty()).collect();
+    let joined = words.join("_");
+    if joined.starts_with(|c: char| c.is_ascii_alphabetic()) { joined } else { format!("x{joined}") }
+}
+
+/// Why a name cannot be a field, to be read behind "`name` is"; nothing if it can.
+#[must_use]
+pub fn reserved(name: &str) -> Option<&'static str> {
+    if name.starts_with('_') {
+        return Some("a name of the C implementation, as all that begin with an underscore are");
+    }
+    let table = RESERVED.iter().find(|(words, _)| words.split_whitespace().any(|word| word == name));
+    table.map(|(_, why)| *why)
+}
+
+/// Why a name cannot be the specification's, which names files and prefixes symbols.
+#[must_use]
+pub fn reserved_for_a_file(name: &str) -> Option<&'static str> {
+    let is_header = C_HEADERS.split_whitespace().any(|header| header == name);
+    reserved(name).or(is_header.then_some("the name of a header of the C library"))
+}
+
+/// Words that no field may be called, and why.
+const RESERVED: [(&str, &str); 5] = [
+    (
+        "abstract as async await become box break const continue crate do dyn else enum extern \
+         false final fn for gen if impl in let loop macro match mod move mut override priv pub ref \
+         return self Self static struct super trait true try type typeof unsafe unsized use \
+         virtual where while yield",
+        "a keyword of Rust",
+    ),
+    (
+        "alignas alignof asm auto bool case char constexpr default double float goto inline int \
+         long nullptr register restrict short signed sizeof static_assert switch thread_local \
+         typedef typeof_unqual union unsigned void volatile",
+        "a keyword of C",
+    ),
+    (
+        "and and_eq bitand bitor catch char16_t char32_t char8_t class co_await co_return co_yield \
+         compl concept const_cast consteval constinit decltype delete dynamic_cast explicit export \
+         friend mutable namespace new noexcept not not_eq operator or or_eq private protected \
+         public reinterpret_cast requires static_cast template this throw typeid typename using \
+         wchar_t xor xor_eq",
+        "a keyword of C++",
+    ),
+    (
+        "cdecl complex errno far huge hyper i386 imaginary interface linux mips near noreturn \
+         pascal small sparc stderr stdin stdout sun unix",
+        "a macro of widespread C compilers or headers",
+    ),
+    ("status", "a field that every estimate has"),
+];
+
+/// The headers of the C library: a file of that name would stand in front of them.
+const C_HEADERS: &str = "assert complex ctype errno fenv float inttypes iso646 limits locale math \
+    setjmp signal stdalign stdarg stdatomic stdbool stdckdint stddef stdint stdio stdlib \
+    stdnoreturn string tgmath threads time uchar wchar wctype";
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Claim: no name in the proposed form is refused for its form again.
+    #[test]
+    fn proposes_snake_case() {
+        let cases = [
+            ("dTheta", "d_theta"),
+            ("Motor-1", "motor_1"),
+            ("_x__y_", "x_y"),
+            ("2nd", "x2nd"),
+            ("I", "i"),
+            ("", "x"),
+        ];
+        for (name, snake) in cases {
+            assert_eq!(snake_case(name), snake);
+        }
+    }
+
+    /// Claim: each kind of reserved word is told apart, and ordinary names are free.
+    #[test]
+    fn tells_why() {
+        let why = |name| reserved(name).unwrap_or("free");
+        assert_eq!(why("gen"), "a keyword of Rust");
+        assert_eq!(why("double"), "a keyword of C");
+        assert_eq!(why("xor"), "a keyword of C++");
+        assert_eq!(why("linux"), "a macro of widespread C compilers or headers");
+        assert_eq!(why("status"), "a field that every estimate has");
+        for name in ["row", "state", "t0", "gains", "inputs", "estimate", "self_", "y"] {
+            assert_eq!(why(name), "free");
+        }
+        assert_eq!(reserved_for_a_file("stdint"), Some("the name of a header of the C library"));
+    }
+}

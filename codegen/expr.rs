@@ -1,0 +1,131 @@
+//! Right-hand sides: what a user may write in an expression, exactly.
+//!
+//! In: text in a literal string. Out: a syntax tree with spans ([`parse`]), and from it, once the
+//! names are known, a tree of [`Node`]s, each with its canonical polynomial ([`Poly`]): decimals
+//! are rationals, `b1*(i + 2*i)` is linear, `q^2 - q*q` vanishes. No float appears here.
+
+pub mod bounds;
+pub mod node;
+pub mod parse;
+pub mod poly;
+
+pub use node::{Meaning, Names, Node, NodeKind, resolve};
+pub use poly::{Atom, Constant, Monomial, Poly};
+
+use std::fmt;
+
+/// A function of the specification language; powers are written `^`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[expect(missing_docs, reason = "the names are the language's")]
+pub enum Function {
+    Sin,
+    Cos,
+    Tan,
+    Asin,
+    Acos,
+    Atan,
+    Atan2,
+    Exp,
+    Log,
+    Sqrt,
+    Abs,
+    Sign,
+    Min,
+    Max,
+    Tanh,
+    Pow,
+}
+
+impl Function {
+    /// Those that can be called by name, with their number of arguments.
+    pub const CALLABLE: [(&'static str, Self, usize); 15] = [
+        ("sin", Self::Sin, 1),
+        ("cos", Self::Cos, 1),
+        ("tan", Self::Tan, 1),
+        ("asin", Self::Asin, 1),
+        ("acos", Self::Acos, 1),
+        ("atan", Self::Atan, 1),
+        ("atan2", Self::Atan2, 2),
+        ("exp", Self::Exp, 1),
+        ("log", Self::Log, 1),
+        ("sqrt", Self::Sqrt, 1),
+        ("abs", Self::Abs, 1),
+        ("sign", Self::Sign, 1),
+        ("min", Self::Min, 2),
+        ("max", Self::Max, 2),
+        ("tanh", Self::Tanh, 1),
+    ];
+
+    /// The function of that name with its number of arguments.
+    pub fn by_name(name: &str) -> Option<(Self, usize)> {
+        Self::CALLABLE.iter().find(|entry| entry.0 == name).map(|entry| (entry.1, entry.2))
+    }
+
+    /// Its name; `pow` for the operator `^`.
+    pub fn name(self) -> &'static str {
+        Self::CALLABLE.iter().find(|entry| entry.1 == self).map_or("pow", |entry| entry.0)
+    }
+}
+
+/// Something that varies: what an expression may name besides constants.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Symbol {
+    /// Time since the first call, s.
+    Time,
+    /// A state, by its place.
+    State(usize),
+    /// An input, by its place.
+    Input(usize),
+    /// An unknown constant, by its place.
+    Unknown(usize),
+    /// A disturbance, by its place.
+    Disturbance(usize),
+}
+
+/// Nearest word of `choices` for a "did you mean"; at most two edits away, fewer for short words.
+pub fn nearest<'a>(word: &str, choices: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let allowed = match word.len() {
+        0..=2 => 1,
+        3..=8 => 2,
+        _ => 3,
+    };
+    choices
+        .into_iter()
+        .map(|choice| (edit_distance(word, choice), choice))
+        .filter(|(distance, choice)| *distance <= allowed && *distance < choice.len().max(2))
+        .min()
+        .map(|(_, choice)| choice)
+}
+
+/// Levenshtein distance.
+fn edit_distance(a: &str, b: &str) -> usize {
+    let b: Vec<char> = b.chars().collect();
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, ca) in a.chars().enumerate() {
+        let mut diagonal = row[0];
+        row[0] = i + 1;
+        for (j, cb) in b.iter().enumerate() {
+            let changed = diagonal + usize::from(ca != *cb);
+            diagonal = row[j + 1];
+            row[j + 1] = changed.min(diagonal + 1).min(row[j] + 1);
+        }
+    }
+    row[b.len()]
+}
+
+/// A list of names for a message: `a`, `b` and `c`.
+pub struct List<'a>(pub &'a [&'a str]);
+
+impl fmt::Display for List<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (place, name) in self.0.iter().enumerate() {
+            let link = match place {
+                0 => "",
+                _ if place + 1 == self.0.len() => " and ",
+                _ => ", ",
+            };
+            write!(f, "{link}`{name}`")?;
+        }
+        Ok(())
+    }
+}

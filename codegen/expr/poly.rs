@@ -1,0 +1,388 @@
+//! The canonical form of an expression: a polynomial with rational coefficients over atoms.
+//!
+//! Two expressions that are equal by the laws of arithmetic have the same form, so that a linear
+//! right-hand side is recognised however it is written, and what cancels is gone. Sizes are
+//! bounded; what would not fit is refused.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use dashu_base::{BitTest as _, Signed as _};
+use dashu_ratio::RBig;
+
+use super::{Function, Symbol};
+use crate::real::{Precision, Real};
+
+/// Most monomials of one expression.
+const MAX_TERMS: usize = 400;
+/// Most bits of a coefficient's numerator or denominator.
+const MAX_BITS: usize = 8_192;
+/// Largest whole power that is expanded.
+pub const MAX_POWER: i32 = 64;
+
+/// What a monomial multiplies.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Atom {
+    /// The circle's constant.
+    Pi,
+    /// A function of constants or of what varies.
+    Call(Function, Vec<Poly>),
+    /// One over a sum.
+    Reciprocal(Poly),
+    /// What varies.
+    Symbol(Symbol),
+}
+
+/// A product of powers of atoms, in the atoms' order; empty for 1.
+#[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Monomial(Vec<(Atom, i32)>);
+
+/// A sum of monomials with rational coefficients, none of them zero.
+#[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Poly(BTreeMap<Monomial, RBig>);
+
+/// Why an expression has no canonical form.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum PolyError {
+    /// More terms or digits than are worked with; says how many.
+    TooLarge(String),
+    /// A division by exactly zero.
+    DivisionByZero,
+}
+
+impl Monomial {
+    /// The atoms with their exponents.
+    pub fn factors(&self) -> &[(Atom, i32)] {
+        &self.0
+    }
+
+    fn times(&self, other: &Self) -> Result<Self, PolyError> {
+        let mut powers: BTreeMap<Atom, i32> = self.0.iter().cloned().collect();
+        for (atom, exponent) in &other.0 {
+            let sum = powers.entry(atom.clone()).or_insert(0);
+            *sum = sum.checked_add(*exponent).ok_or_else(too_many_powers)?;
+        }
+        powers.retain(|_, exponent| *exponent != 0);
+        Ok(Self(powers.into_iter().collect()))
+    }
+
+    fn power(&self, exponent: i32) -> Result<Self, PolyError> {
+        let raised = |e: i32| e.checked_mul(exponent).ok_or_else(too_many_powers);
+        self.0.iter().map(|(atom, e)| Ok((atom.clone(), raised(*e)?))).collect::<Result<_, _>>().map(Self)
+    }
+
+    /// Whether nothing in it varies.
+    pub fn is_constant(&self) -> bool {
+        self.0.iter().all(|(atom, _)| match atom {
+            Atom::Pi => true,
+            Atom::Symbol(_) => false,
+            Atom::Call(_, arguments) => arguments.iter().all(Poly::is_constant),
+            Atom::Reciprocal(sum) => sum.is_constant(),
+        })
+    }
+
+    /// Splits into the constant part and the part that varies.
+    pub fn split(&self) -> (Self, Self) {
+        let constant = |entry: &&(Atom, i32)| Self(vec![(*entry).clone()]).is_constant();
+        let (fixed, varying): (Vec<_>, Vec<_>) = self.0.iter().partition(constant);
+        (Self(fixed.into_iter().cloned().collect()), Self(varying.into_iter().cloned().collect()))
+    }
+
+    /// The symbol, when the monomial is exactly that.
+    pub fn as_symbol(&self) -> Option<Symbol> {
+        match self.0.as_slice() {
+            [(Atom::Symbol(symbol), 1)] => Some(*symbol),
+            _ => None,
+        }
+    }
+
+    fn collect_symbols(&self, into: &mut BTreeSet<Symbol>) {
+        for (atom, _) in &self.0 {
+            match atom {
+                Atom::Pi => {}
+                Atom::Symbol(symbol) => drop(into.insert(*symbol)),
+                Atom::Call(_, arguments) => arguments.iter().for_each(|a| a.collect_symbols(into)),
+                Atom::Reciprocal(sum) => sum.collect_symbols(into),
+            }
+        }
+    }
+
+    /// Everything that varies in it.
+    pub fn symbols(&self) -> BTreeSet<Symbol> {
+        let mut symbols = BTreeSet::new();
+        self.collect_symbols(&mut symbols);
+        symbols
+    }
+}
+
+fn too_many_powers() -> PolyError {
+    PolyError::TooLarge("a power beyond 2^31".into())
+}
+
+impl From<RBig> for Poly {
+    fn from(value: RBig) -> Self {
+        let mut terms = BTreeMap::new();
+        if !value.is_zero() {
+            terms.insert(Monomial::default(), value);
+        }
+        Self(terms)
+    }
+}
+
+impl From<Atom> for Poly {
+    fn from(atom: Atom) -> Self {
+        Self(BTreeMap::from([(Monomial(vec![(atom, 1)]), RBig::ONE)]))
+    }
+}
+
+impl Poly {
+    /// The monomials with their coefficients.
+    pub fn terms(&self) -> impl Iterator<Item = (&Monomial, &RBig)> {
+        self.0.iter()
+    }
+
+    /// Whether it is nothing at all.
+    pub fn is_zero(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// Whether nothing in it varies.
+    pub fn is_constant(&self) -> bool {
+        self.0.keys().all(Monomial::is_constant)
+    }
+
+    /// The value, when it is a rational number.
+    pub fn as_rational(&self) -> Option<RBig> {
+        match self.0.iter().next() {
+            None => Some(RBig::ZERO),
+            Some((monomial, value)) if self.0.len() == 1 && monomial.0.is_empty() => Some(value.clone()),
+            Some(_) => None,
+        }
+    }
+
+    fn as_monomial(&self) -> Option<(&Monomial, &RBig)> {
+        if self.0.len() == 1 { self.0.iter().next() } else { None }
+    }
+
+    /// Everything that varies in it.
+    pub fn symbols(&self) -> BTreeSet<Symbol> {
+        let mut symbols = BTreeSet::new();
+        self.collect_symbols(&mut symbols);
+        symbols
+    }
+
+    fn collect_symbols(&self, into: &mut BTreeSet<Symbol>) {
+        self.0.keys().for_each(|monomial| monomial.collect_symbols(into));
+    }
+
+    /// One monomial times a coefficient.
+    pub fn monomial(monomial: Monomial, coefficient: RBig) -> Self {
+        if coefficient.is_zero() { Self::default() } else { Self(BTreeMap::from([(monomial, coefficient)])) }
+    }
+
+    /// `self + other`.
+    pub fn plus(mut self, other: &Self) -> Result<Self, PolyError> {
+        for (monomial, value) in &other.0 {
+            let sum = self.0.entry(monomial.clone()).or_insert(RBig::ZERO);
+            *sum += value;
+            if sum.is_zero() {
+                self.0.remove(monomial);
+            }
+        }
+        self.bounded()
+    }
+
+    /// `-self`.
+    #[must_use]
+    pub fn negated(mut self) -> Self {
+        for value in self.0.values_mut() {
+            *value = -std::mem::replace(value, RBig::ZERO);
+        }
+        self
+    }
+
+    /// `self * other`.
+    pub fn times(&self, other: &Self) -> Result<Self, PolyError> {
+        if self.0.len().saturating_mul(other.0.len()) > MAX_TERMS * 8 {
+            return Err(PolyError::TooLarge(format!("{} times {} terms", self.0.len(), other.0.len())));
+        }
+        let mut product: BTreeMap<Monomial, RBig> = BTreeMap::new();
+        for (a, x) in &self.0 {
+            for (b, y) in &other.0 {
+                *product.entry(a.times(b)?).or_insert(RBig::ZERO) += x * y;
+            }
+        }
+        product.retain(|_, value| !value.is_zero());
+        Self(product).bounded()
+    }
+
+    /// `1 / self`.
+    pub fn reciprocal(&self) -> Result<Self, PolyError> {
+        if self.is_zero() {
+            return Err(PolyError::DivisionByZero);
+        }
+        match self.as_monomial() {
+            Some((monomial, value)) => Ok(Self::monomial(monomial.power(-1)?, RBig::ONE / value)),
+            None => Ok(Self::from(Atom::Reciprocal(self.clone()))),
+        }
+    }
+
+    /// `self ^ exponent` for a whole exponent between -64 and 64.
+    pub fn power(&self, exponent: i32) -> Result<Self, PolyError> {
+        let base = if exponent < 0 { self.reciprocal()? } else { self.clone() };
+        if exponent.abs() > MAX_POWER {
+            return Err(PolyError::TooLarge(format!("the power {exponent}; at most {MAX_POWER} is expanded")));
+        }
+        let mut product = Self::from(RBig::ONE);
+        for _ in 0..exponent.abs() {
+            product = product.times(&base)?;
+        }
+        Ok(product)
+    }
+
+    fn bounded(self) -> Result<Self, PolyError> {
+        if self.0.len() > MAX_TERMS {
+            return Err(PolyError::TooLarge(format!("{} terms; at most {MAX_TERMS} are kept", self.0.len())));
+        }
+        let bits = |value: &RBig| value.numerator().bit_len().max(value.denominator().bit_len());
+        match self.0.values().map(bits).max() {
+            Some(most) if most > MAX_BITS => Err(PolyError::TooLarge(format!("a constant of {most} bits"))),
+            _ => Ok(self),
+        }
+    }
+
+    /// Divides by its leading coefficient; gives the monic polynomial and that coefficient.
+    pub fn monic(&self) -> (Self, RBig) {
+        let Some((_, leading)) = self.0.iter().next_back() else { return (Self::default(), RBig::ONE) };
+        let leading = leading.clone();
+        (Self(self.0.iter().map(|(m, v)| (m.clone(), v / &leading)).collect()), leading)
+    }
+}
+
+/// A polynomial in which nothing varies: a number known as exactly as asked.
+#[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Constant(Poly);
+
+/// A constant outside the domain of a function.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct DomainError(pub String);
+
+impl TryFrom<Poly> for Constant {
+    type Error = Poly;
+
+    fn try_from(poly: Poly) -> Result<Self, Poly> {
+        if poly.is_constant() { Ok(Self(poly)) } else { Err(poly) }
+    }
+}
+
+impl From<RBig> for Constant {
+    fn from(value: RBig) -> Self {
+        Self(value.into())
+    }
+}
+
+impl Constant {
+    /// One.
+    pub fn one() -> Self {
+        Self::from(RBig::ONE)
+    }
+
+    /// Whether it is structurally nothing.
+    pub fn is_zero(&self) -> bool {
+        self.0.is_zero()
+    }
+
+    /// The value, when it is rational.
+    pub fn as_rational(&self) -> Option<RBig> {
+        self.0.as_rational()
+    }
+
+    /// The polynomial.
+    pub fn poly(&self) -> &Poly {
+        &self.0
+    }
+
+    /// The value at a precision, to a few units of its last bit.
+    pub fn evaluate(&self, precision: Precision) -> Result<Real, DomainError> {
+        evaluate(&self.0, precision)
+    }
+
+    /// The nearest double.
+    pub fn to_f64(&self) -> Result<f64, DomainError> {
+        Ok(self.evaluate(Precision::bits(160))?.to_f64())
+    }
+}
+
+fn evaluate(poly: &Poly, precision: Precision) -> Result<Real, DomainError> {
+    let mut sum = Real::zero(precision);
+    for (monomial, coefficient) in poly.terms() {
+        let mut term = Real::from_rational(coefficient, precision);
+        for (atom, exponent) in monomial.factors() {
+            let value = evaluate_atom(atom, precision)?;
+            let power = value
+                .checked_powi(i64::from(*exponent))
+                .map_err(|_| DomainError("a division by zero, or a power too large".into()))?;
+            term = &term * &power;
+        }
+        sum = &sum + &term;
+    }
+    Ok(sum)
+}
+
+fn evaluate_atom(atom: &Atom, precision: Precision) -> Result<Real, DomainError> {
+    match atom {
+        Atom::Pi => Ok(Real::pi(precision)),
+        Atom::Symbol(_) => unreachable!("a constant has no symbol"),
+        Atom::Reciprocal(sum) => Real::one(precision)
+            .checked_div(&evaluate(sum, precision)?)
+            .map_err(|_| DomainError("a division by zero".into())),
+        Atom::Call(function, arguments) => {
+            let values = arguments.iter().map(|a| evaluate(a, precision)).collect::<Result<Vec<_>, _>>()?;
+            call(*function, &values).ok_or_else(|| {
+                let shown: Vec<String> = values.iter().map(|v| v.to_f64().to_string()).collect();
+                DomainError(format!("{}({}) is not a number of a usable size", function.name(), shown.join(", ")))
+            })
+        }
+    }
+}
+
+/// A function at constants; `None` outside its domain.
+fn call(function: Function, values: &[Real]) -> Option<Real> {
+    let x = &values[0];
+    match function {
+        Function::Sin => x.checked_sin().ok(),
+        Function::Cos => x.checked_cos().ok(),
+        Function::Tan => x.checked_tan().ok(),
+        Function::Asin => x.checked_asin().ok(),
+        Function::Acos => x.checked_acos().ok(),
+        Function::Atan => x.checked_atan().ok(),
+        Function::Atan2 => x.checked_atan2(&values[1]).ok(),
+        Function::Exp => x.checked_exp().ok(),
+        Function::Log => x.checked_ln().ok(),
+        Function::Sqrt => x.checked_sqrt().ok(),
+        Function::Tanh => Some(x.tanh()),
+        Function::Pow => x.checked_powf(&values[1]).ok(),
+        Function::Abs => Some(x.abs()),
+        Function::Sign => Some(Real::from_i64(if x.is_zero() { 0 } else if x.is_negative() { -1 } else { 1 }, x.precision())),
+        Function::Min => Some(if values[1] < *x { values[1].clone() } else { x.clone() }),
+        Function::Max => Some(if *x < values[1] { values[1].clone() } else { x.clone() }),
+    }
+}
+
+/// A function at rational arguments whose value is rational; `None` when it is not, or not known to be.
+pub fn fold_call(function: Function, arguments: &[Poly]) -> Option<RBig> {
+    let values: Vec<RBig> = arguments.iter().map(Poly::as_rational).collect::<Option<_>>()?;
+    let x = &values[0];
+    match function {
+        Function::Abs => Some(if x.is_negative() { -x.clone() } else { x.clone() }),
+        Function::Sign if x.is_zero() => Some(RBig::ZERO),
+        Function::Sign => Some(if x.is_negative() { -RBig::ONE } else { RBig::ONE }),
+        Function::Min => Some(x.clone().min(values[1].clone())),
+        Function::Max => Some(x.clone().max(values[1].clone())),
+        Function::Sin | Function::Tan | Function::Asin | Function::Atan | Function::Sqrt | Function::Tanh if x.is_zero() => {
+            Some(RBig::ZERO)
+        }
+        Function::Cos | Function::Exp if x.is_zero() => Some(RBig::ONE),
+        Function::Log if *x == RBig::ONE => Some(RBig::ZERO),
+        _ => None,
+    }
+}

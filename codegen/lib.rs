@@ -1,0 +1,100 @@
+//! deadbeat: one specification in, a step function out that has converged by a time its user chose.
+//!
+//! ```text
+//! spec text -> Spec -> Plant -> Design -> Program -> .rs, .h + .c, .step
+//! ```
+//!
+//! Text in, an ordered map of file name to text out; only [`build`] and the command line touch the
+//! disk. Start at [`Generator`].
+
+pub mod decimal;
+pub mod describe;
+pub mod design;
+pub mod diagnostic;
+pub mod emit;
+pub mod expr;
+pub mod method;
+pub mod plant;
+pub mod program;
+pub mod real;
+pub mod spec;
+pub mod window;
+
+mod build;
+mod output;
+
+pub use build::build;
+pub use diagnostic::{Report, Source};
+pub use output::{Difference, File, Language, Output, write_whole};
+pub use spec::Settings;
+
+use design::Design;
+use plant::Plant;
+use program::Program;
+use spec::Spec;
+
+/// The tool's version, which every generated file names.
+pub const VERSION: &str = env!("CARGO_PKG_VERSION");
+
+/// One specification on its way to code.
+#[derive(Clone, Debug)]
+pub struct Generator {
+    source: Source,
+    settings: Settings,
+}
+
+/// Everything between a specification and its files.
+#[derive(Clone, Debug)]
+pub struct Generated {
+    /// The plant, exactly.
+    pub plant: Plant,
+    /// The observer, exactly.
+    pub design: Design,
+    /// What a step does.
+    pub program: Program,
+    /// Warnings; no errors.
+    pub report: Report,
+}
+
+impl Generator {
+    /// Takes a specification's text; `name` is what messages call it.
+    pub fn new(text: &str, name: &str) -> Self {
+        Self { source: Source { name: name.into(), text: text.into() }, settings: Settings::default() }
+    }
+
+    /// Overrides what the file's `[target]` says.
+    #[must_use]
+    pub fn with(mut self, settings: Settings) -> Self {
+        self.settings = settings;
+        self
+    }
+
+    /// The specification's text and name.
+    pub fn source(&self) -> &Source {
+        &self.source
+    }
+
+    /// The five stages up to the Program.
+    pub fn design(&self) -> Result<Generated, Report> {
+        let report = |diagnostics| Report::new(self.source.clone(), diagnostics);
+        let spec = Spec::parse(self.source.clone(), self.settings)?;
+        let (plant, mut warnings) = Plant::new(&spec)?;
+        let design = spec.observer.keyed.design(&plant).map_err(report)?;
+        let program = design.lower(&plant).map_err(report)?;
+        warnings.extend(design.warnings.iter().cloned());
+        if let Err(error) = program::check::check(&program) {
+            unreachable!("a lowering made an invalid Program: {error}");
+        }
+        Ok(Generated { plant, design, program, report: report(warnings) })
+    }
+
+    /// Everything that stands against the specification, and the warnings.
+    pub fn check(&self) -> Report {
+        self.design().map_or_else(|report| report, |generated| generated.report)
+    }
+
+    /// The files of every language.
+    pub fn generate(&self) -> Result<Output, Report> {
+        Ok(Output::new(&self.design()?, &self.source))
+    }
+}

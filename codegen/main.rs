@@ -1,0 +1,7 @@
+//! `deadbeat`: the command line.
+
+mod cli;
+
+fn main() -> std::process::ExitCode {
+    cli::main()
+}

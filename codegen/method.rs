@@ -1,0 +1,52 @@
+//! The registry of observer methods: one line each.
+//!
+//! A method is one file: what it is, its keys, its design. It reads its own table of the
+//! specification ([`Method::read`]) and gives something that designs ([`Keyed`]).
+
+pub mod window;
+
+use std::fmt::Debug;
+use std::sync::Arc;
+
+use crate::design::Design;
+use crate::diagnostic::Diagnostic;
+use crate::plant::Plant;
+use crate::spec::reader::Table;
+
+/// All methods, in the order in which `deadbeat list` shows them.
+pub const METHODS: &[Method] = &[window::METHOD];
+
+/// What a user can name in `[observer.<name>]`.
+pub struct Method {
+    /// The table's name.
+    pub name: &'static str,
+    /// One line for lists.
+    pub summary: &'static str,
+    /// Paper and equations.
+    pub source: &'static str,
+    /// Key, unit or choices, meaning.
+    pub keys: &'static [(&'static str, &'static str, &'static str)],
+    /// How the step can be realised, with a line each; the first is the default.
+    pub realizations: &'static [(&'static str, &'static str)],
+    /// The page that `deadbeat list <method>` prints below these.
+    pub page: &'static str,
+    /// Reads the method's table; mistakes are reported there and give `None`.
+    pub read: fn(&mut Table) -> Option<Arc<dyn Keyed>>,
+}
+
+/// A method with its keys read.
+pub trait Keyed: Debug + Send + Sync {
+    /// Designs the observer for a plant, or says everything that stands against it.
+    fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>>;
+}
+
+/// What a unit test of a method needs: a plant from a specification's text.
+#[cfg(test)]
+pub fn designed(text: &str) -> Result<(Plant, Design), String> {
+    let source = crate::diagnostic::Source { name: "test.toml".into(), text: text.into() };
+    let spec = crate::spec::Spec::parse(source.clone(), crate::spec::Settings::default()).map_err(|r| r.render(false))?;
+    let (plant, _) = Plant::new(&spec).map_err(|r| r.render(false))?;
+    let design = spec.observer.keyed.design(&plant);
+    let design = design.map_err(|found| crate::diagnostic::Report::new(source, found).render(false))?;
+    Ok((plant, design))
+}

@@ -1,0 +1,299 @@
+//! `[observer.window]`: full-order least squares over the last `window` seconds, stateless.
+//!
+//! **Idea.** The N+1 newest samples and the inputs between them are linear equations in the state at
+//! the window's start. Solved by least squares once, offline, they give the state now as a fixed
+//! weighted sum of what was sampled: exact after N+1 samples whatever the initial state, with no
+//! state of its own that could drift, and of all unbiased estimates from this window the one that
+//! amplifies white noise least.
+//!
+//! **Source.** 002 (mazenc-malisoff-2022-parameters-and-states) equations (9) and (19) without
+//! unknowns, made exact for sampled signals (window-observers, section 2, "stateless full-order
+//! FIR"): integrals become sums over the samples, matrix exponentials powers of Phi.
+//!
+//! **Conditions.** (A, C) observable at the sample time; the window long enough to show every state;
+//! nonlinearities in measured states, inputs and time only.
+//!
+//! **Holds.** Inputs that keep their value between calls are exact. Injections, and inputs with
+//! `hold = "first"`, are taken as straight lines between samples: second order in the sample time.
+//! An injection that depends on a held input is evaluated at both ends of each interval with that
+//! interval's input, so that a jump of the input costs nothing.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use super::{Keyed, Method};
+use crate::design::{Design, Fir, NamedMatrix, Shape};
+use crate::diagnostic::{Diagnostic, codes};
+use crate::expr::List;
+use crate::plant::Plant;
+use crate::real::{Matrix, Precision, equilibrated_columns, rank, singular_values};
+use crate::spec::Quantity;
+use crate::spec::reader::Table;
+use crate::window::certificate::certify;
+use crate::window::model::{Model, signals};
+use crate::window::settle::settle;
+use crate::window::solve::{observability, output_powers};
+use crate::window::{Functional, count, trimmed, whole_samples};
+
+/// The registry's entry.
+pub const METHOD: Method = Method {
+    name: "window",
+    summary: "full-order least squares over the last N+1 samples, stateless",
+    source: "002 (9), (19) without unknowns, made discrete-exact",
+    keys: &[
+        ("window", "s", "length of the window, a whole number of samples; the estimate has converged after it"),
+        ("weights", "\"equal\"", "how samples are weighted: all alike (least squares)"),
+        ("realization", "\"auto\" | \"fir\"", "how the step computes it"),
+    ],
+    realizations: &[("fir", "one weighted sum over the stored samples; no state that can drift")],
+    page: include_str!("window.md"),
+    read,
+};
+
+/// The method's keys.
+#[derive(Clone, Debug)]
+struct Keys {
+    window: Quantity,
+}
+
+fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
+    let window = table.quantity("window");
+    if window.is_none() && !table.has("window") {
+        table.missing("window", "write `window = …`, the length in seconds; the deadline by which the estimate is exact");
+    }
+    table.choice("weights", &[("equal", ())], ());
+    table.choice("realization", &[("auto", ()), ("fir", ())], ());
+    Some(Arc::new(Keys { window: window? }))
+}
+
+/// Bits at which observability is judged; a tolerance of half of them is far from any rounding.
+const VERDICT_BITS: usize = 256;
+
+impl Keyed for Keys {
+    fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {
+        let mut found = refuse_unknowns(plant);
+        let steps = self.steps(plant, &mut found);
+        let delays = delays(plant, &mut found);
+        let (Some(steps), Some(delays)) = (steps, delays) else { return Err(found) };
+        let span = self.window.span();
+        refuse_long_delays(plant, &delays, steps, &span, &mut found);
+        if !found.is_empty() {
+            return Err(found);
+        }
+        let condition = verdict(plant, &delays, steps, &span)?;
+        let (functional, exact, mut numerics) =
+            settle(plant, signals(plant), &delays, steps).map_err(|diagnostic| vec![diagnostic])?;
+        numerics.condition = condition;
+        let certificate = certify(plant, &functional, &exact.model);
+        Ok(Design {
+            method: METHOD.name,
+            realization: "fir",
+            summary: summary(plant, steps),
+            window_steps: steps,
+            valid_from_step: steps,
+            constants: constants(&exact.model),
+            fir: Some(fir(plant, &functional)),
+            certificate,
+            numerics,
+            warnings: time_warning(plant).into_iter().collect(),
+            shape: Shape::Window(functional),
+        })
+    }
+}
+
+impl Keys {
+    /// N.
+    fn steps(&self, plant: &Plant, found: &mut Vec<Diagnostic>) -> Option<usize> {
+        let span = self.window.span();
+        let window = plant.constant(&self.window, found)?;
+        let seconds = window.to_f64().unwrap_or(f64::NAN);
+        if seconds <= 0.0 || !seconds.is_finite() {
+            let error = Diagnostic::error(codes::BAD_NUMBER, span, format!("the window must be longer than 0 s, not {seconds}"));
+            found.push(error.measured(seconds));
+            return None;
+        }
+        whole_samples(&window, &span, "the window", plant, found)
+    }
+}
+
+fn refuse_unknowns(plant: &Plant) -> Vec<Diagnostic> {
+    let refuse = |unknown: &crate::plant::Unknown| {
+        let message = format!("the method `window` does not estimate the unknown `{}`", unknown.label.name);
+        Diagnostic::error(codes::METHOD_CANNOT, unknown.label.span.clone(), message)
+            .context(plant.span.clone(), "this method estimates states only")
+            .help("the method that takes unknown constants is `parameters`; or declare it as a state whose derivative is '0'")
+    };
+    plant.unknowns.iter().map(refuse).collect()
+}
+
+/// Whole samples of delay, per output.
+fn delays(plant: &Plant, found: &mut Vec<Diagnostic>) -> Option<Vec<usize>> {
+    let delays: Vec<Option<usize>> = plant
+        .outputs
+        .iter()
+        .map(|output| match &output.delay {
+            None => Some(0),
+            Some((delay, span)) => whole_samples(delay, span, &format!("the delay of `{}`", output.label.name), plant, found),
+        })
+        .collect();
+    delays.into_iter().collect()
+}
+
+fn refuse_long_delays(plant: &Plant, delays: &[usize], steps: usize, window: &Range<usize>, found: &mut Vec<Diagnostic>) {
+    for (output, delay) in plant.outputs.iter().zip(delays) {
+        if let Some((_, span)) = &output.delay
+            && *delay > steps
+        {
+            let message = format!("the delay of `{}` is longer than the window", output.label.name);
+            let error = Diagnostic::error(codes::DELAY_TOO_LONG, span.clone(), message)
+                .label(format!("{delay} samples"))
+                .context(window.clone(), format!("{steps} samples"))
+                .measured(count(*delay));
+            found.push(error.help(format!("a window of more than {} s", count(*delay) * plant.sample_time_s())));
+        }
+    }
+}
+
+/// Whether the outputs show every state, and within this window; the condition number.
+fn verdict(plant: &Plant, delays: &[usize], steps: usize, window: &Range<usize>) -> Result<f64, Vec<Diagnostic>> {
+    let n = plant.states.len();
+    let p = Precision::bits(VERDICT_BITS);
+    let model = Model::new(plant, &[], p).map_err(|diagnostic| vec![diagnostic])?;
+    let rows = |steps: usize| {
+        let powers = output_powers(&model, steps);
+        observability(&powers, delays).0
+    };
+    let enough = n + delays.iter().max().copied().unwrap_or(0);
+    let long = rows(enough);
+    let judged = rank(&equilibrated_columns(&long).0, VERDICT_BITS / 2);
+    if judged.rank < n {
+        return Err(vec![unobservable(plant, &long, &judged.singular_values)]);
+    }
+    let here = rows(steps);
+    let scaled = equilibrated_columns(&here).0;
+    let judged = if here.rows() < n { None } else { Some(rank(&scaled, VERDICT_BITS / 2)) };
+    if judged.as_ref().is_none_or(|judged| judged.rank < n) {
+        let needed = (steps + 1..=enough).find(|steps| {
+            let longer = rows(*steps);
+            longer.rows() >= n && rank(&equilibrated_columns(&longer).0, VERDICT_BITS / 2).rank == n
+        });
+        let needed = needed.unwrap_or(enough);
+        let shown = judged.map_or(here.rows(), |judged| judged.rank);
+        let message = "the window is too short to show every state";
+        let error = Diagnostic::error(codes::WINDOW_TOO_SHORT, window.clone(), message)
+            .label(format!("{} samples show {shown} of {n} states", steps + 1))
+            .measured(count(shown));
+        return Err(vec![error.help(format!("at least {} s", trimmed(count(needed) * plant.sample_time_s())))]);
+    }
+    let values = singular_values(&scaled);
+    Ok((&values[0] / &values[n - 1]).to_f64())
+}
+
+/// Names the states that no window shows.
+fn unobservable(plant: &Plant, rows: &Matrix, values: &[f64]) -> Diagnostic {
+    let n = plant.states.len();
+    let base = rank(&equilibrated_columns(rows).0, VERDICT_BITS / 2).rank;
+    let hidden: Vec<&crate::plant::State> = (0..n)
+        .filter(|j| {
+            let unit = Matrix::from_fn(1, n, |_, k| {
+                if k == *j { crate::real::Real::one(rows.precision()) } else { crate::real::Real::zero(rows.precision()) }
+            });
+            rank(&equilibrated_columns(&rows.vcat(&unit)).0, VERDICT_BITS / 2).rank > base
+        })
+        .map(|j| &plant.states[j])
+        .collect();
+    let names: Vec<&str> = hidden.iter().map(|s| s.label.name.as_str()).collect();
+    let outputs: Vec<&str> = plant.outputs.iter().map(|o| o.label.name.as_str()).collect();
+    let smallest = values.last().copied().unwrap_or(0.0);
+    let span = hidden.first().map(|s| s.label.span.clone()).filter(|s| !s.is_empty()).unwrap_or(plant.span.clone());
+    let verb = if names.len() == 1 { "state" } else { "states" };
+    let message = format!("the {verb} {} cannot be estimated from {}", List(&names), List(&outputs));
+    Diagnostic::error(codes::UNOBSERVABLE, span, message)
+        .label(format!("rank {base} of {n}; smallest singular value {smallest:.1e}"))
+        .measured(smallest)
+        .help(format!("measure {} as well, or leave the part that no output shows out of the model", one_of(&names)))
+}
+
+fn one_of(names: &[&str]) -> String {
+    match names {
+        [one] => format!("`{one}`"),
+        _ => format!("one of {}", List(names)),
+    }
+}
+
+/// In single precision, time since init loses its last digits.
+fn time_warning(plant: &Plant) -> Option<Diagnostic> {
+    use crate::expr::Symbol;
+    let timed = plant.injections.iter().find(|i| i.symbols().contains(&Symbol::Time))?;
+    if plant.scalar == crate::program::Scalar::F64 {
+        return None;
+    }
+    let hours = 16_777_216.0 * plant.sample_time_s() / 3_600.0;
+    let warning = Diagnostic::warning(codes::TIME_RESOLUTION, timed.node.span.clone(), "`t` loses resolution in f32");
+    Some(warning.label(format!("after {hours:.1} h it no longer counts every call")).measured(hours).help("use f64, or an input that carries the phase"))
+}
+
+fn summary(plant: &Plant, steps: usize) -> String {
+    let h = plant.sample_time_s();
+    format!("least squares over the last {} samples ({} s at {h} s), stateless", steps + 1, trimmed(count(steps) * h))
+}
+
+fn constants(model: &Model) -> Vec<NamedMatrix> {
+    vec![NamedMatrix { letter: "Phi", rows: model.phi.to_f64() }, NamedMatrix { letter: "C", rows: model.c.to_f64() }]
+}
+
+/// K and M by age, for reports.
+fn fir(plant: &Plant, functional: &Functional) -> Fir {
+    let n = plant.states.len();
+    let by_age = |entry: &dyn Fn(usize, usize) -> Vec<f64>| -> Vec<Vec<Vec<f64>>> {
+        (0..=functional.steps).map(|age| (0..n).map(|i| entry(age, i)).collect()).collect()
+    };
+    let k = by_age(&|age, i| functional.outputs.iter().map(|w| w.at(i, age).double).collect());
+    let m = by_age(&|age, i| {
+        let weight = |s: usize| {
+            let call_age = age.checked_sub(functional.signals[s].part.lag());
+            call_age.map_or(0.0, |call_age| functional.knowns[s].at(i, call_age).double)
+        };
+        (0..functional.signals.len()).map(weight).collect()
+    });
+    Fir { known: functional.signals.iter().map(|s| s.text.clone()).collect(), k, m }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::designed;
+
+    const MOTOR: &str = r#"
+deadbeat = 1
+name = "motor"
+[states]
+q = { derivative = 'dq' }
+dq = { derivative = '15*i - 35*sin(q) - dq' }
+i = { derivative = '40*u - 36.4*dq - 200*i' }
+[inputs]
+u = {}
+[outputs]
+y = { value = 'q' }
+[observer.window]
+window = 0.1
+[target]
+sample_time = 1e-3
+scalar = "f64"
+"#;
+
+    /// The constants settle, and the estimate is unbiased to all digits that were carried.
+    #[test]
+    fn the_motor_settles() {
+        let (_, design) = designed(MOTOR).unwrap();
+        assert_eq!(design.window_steps, 100);
+        assert!(design.numerics.agreement > 17.0);
+        assert!(design.numerics.unbiasedness < 1e-60);
+    }
+
+    /// The newest sample of the position has the weight that the reference design gives it.
+    #[test]
+    fn the_first_weight_is_the_reference() {
+        let (_, design) = designed(MOTOR).unwrap();
+        assert_eq!(design.fir.unwrap().k[0][0][0], 0.039_815_734_113_038_96);
+    }
+}

@@ -1,0 +1,100 @@
+//! The meaning of each operation, once: for the interpreter and for the folding of constants.
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use super::super::Function;
+
+/// A float type that a Program computes in.
+pub(in super::super) trait Number:
+    Copy
+    + Default
+    + PartialOrd
+    + Neg<Output = Self>
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+{
+    /// Rounded to nearest even.
+    fn from_f64(x: f64) -> Self;
+    /// Exact.
+    fn to_f64(self) -> f64;
+    /// Rounded to nearest even.
+    fn from_index(x: u32) -> Self;
+    /// The runtime's elementary function; one of a single argument ignores `b`.
+    fn call(function: Function, a: Self, b: Self) -> Self;
+}
+
+/// Both implementations differ in the names of types and functions only.
+macro_rules! number {
+    ($type:ident, $sin:ident, $cos:ident, $tan:ident, $asin:ident, $acos:ident,
+     $atan:ident, $atan2:ident, $exp:ident, $log:ident, $sqrt:ident, $tanh:ident, $pow:ident) => {
+        impl Number for $type {
+            #[allow(clippy::cast_possible_truncation, reason = "the rounding is meant; f64 to f64 has none")]
+            fn from_f64(x: f64) -> Self {
+                x as Self
+            }
+
+            #[allow(clippy::cast_lossless, reason = "f64 to f64 is no conversion")]
+            fn to_f64(self) -> f64 {
+                self as f64
+            }
+
+            #[allow(clippy::cast_precision_loss, clippy::cast_lossless, reason = "f32 rounds, f64 is exact")]
+            fn from_index(x: u32) -> Self {
+                x as Self
+            }
+
+            fn call(function: Function, a: Self, b: Self) -> Self {
+                match function {
+                    Function::Sin => deadbeat_math::$sin(a),
+                    Function::Cos => deadbeat_math::$cos(a),
+                    Function::Tan => deadbeat_math::$tan(a),
+                    Function::Asin => deadbeat_math::$asin(a),
+                    Function::Acos => deadbeat_math::$acos(a),
+                    Function::Atan => deadbeat_math::$atan(a),
+                    Function::Atan2 => deadbeat_math::$atan2(a, b),
+                    Function::Exp => deadbeat_math::$exp(a),
+                    Function::Log => deadbeat_math::$log(a),
+                    Function::Sqrt => deadbeat_math::$sqrt(a),
+                    Function::Tanh => deadbeat_math::$tanh(a),
+                    Function::Pow => deadbeat_math::$pow(a, b),
+                }
+            }
+        }
+    };
+}
+
+number!(
+    f32, sin_f32, cos_f32, tan_f32, asin_f32, acos_f32, atan_f32, atan2_f32, exp_f32, log_f32, sqrt_f32, tanh_f32,
+    pow_f32
+);
+number!(
+    f64, sin_f64, cos_f64, tan_f64, asin_f64, acos_f64, atan_f64, atan2_f64, exp_f64, log_f64, sqrt_f64, tanh_f64,
+    pow_f64
+);
+
+/// [`Op::Advance`](super::super::Op::Advance).
+pub(in super::super) const fn advance(slot: u32, len: u32) -> u32 {
+    if slot < len - 1 { slot + 1 } else { 0 }
+}
+
+/// [`Op::Retreat`](super::super::Op::Retreat).
+pub(in super::super) const fn retreat(slot: u32, len: u32) -> u32 {
+    if slot >= 1 && slot < len { slot - 1 } else { len - 1 }
+}
+
+/// [`Op::CountUp`](super::super::Op::CountUp).
+pub(in super::super) const fn count_up(count: u32, max: u32) -> u32 {
+    if count < max { count + 1 } else { max }
+}
+
+/// [`Op::CountDown`](super::super::Op::CountDown).
+pub(in super::super) const fn count_down(count: u32) -> u32 {
+    count.saturating_sub(1)
+}
+
+/// [`Op::AtMost`](super::super::Op::AtMost).
+pub(in super::super) const fn at_most(value: u32, max: u32) -> u32 {
+    if value < max { value } else { max }
+}

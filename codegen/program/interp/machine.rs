@@ -1,0 +1,165 @@
+//! A Program ready to run: its code, its constants in their places, its cells at their start.
+
+use super::super::{CellId, CellKind, Program, Status};
+use super::allocate::{Code, allocate};
+use super::arithmetic::Number;
+use super::execute::{Memory, Rows};
+use super::instruction::{Block, Class, Content, Place};
+use super::schedule::schedule;
+use super::select::select;
+
+/// A Program with its state, in the float type `F`.
+pub(super) struct Machine<F> {
+    code: Code,
+    measurements: Vec<u16>,
+    inputs: Vec<u16>,
+    tables: Vec<Rows<F>>,
+    memory: Memory<F>,
+}
+
+impl<F: Number> Machine<F> {
+    /// The machine of a checked Program, at its start.
+    pub fn new(program: &Program) -> Self {
+        let (blocks, estimates, status) = select(program);
+        let blocks: Vec<Block> = blocks
+            .into_iter()
+            .map(|block| match block {
+                Block::Once(body) => Block::Once(schedule(&body)),
+                Block::PerRow(table, body) => Block::PerRow(table, schedule(&body)),
+            })
+            .collect();
+        let code = allocate(&blocks, fixed(program), &estimates, status);
+        let rings = (program.cells.iter())
+            .map(|cell| match cell.kind {
+                CellKind::Ring { len, .. } => vec![F::default(); len as usize],
+                CellKind::Float { .. } | CellKind::Index { .. } => vec![],
+            })
+            .collect();
+        let tables = (program.tables.iter())
+            .map(|table| Rows {
+                columns: table.columns.len(),
+                elements: table.rows.iter().flatten().map(|x| F::from_f64(*x)).collect(),
+            })
+            .collect();
+        let memory = Memory::new(rings);
+        let register = |content| code.fixed[&Place { class: Class::Float, content }];
+        let measurements = (0..=u16::MAX).zip(&program.measurements);
+        let inputs = (0..=u16::MAX).zip(&program.inputs);
+        let mut machine = Self {
+            measurements: measurements.map(|(at, _)| register(Content::Measurement(at))).collect(),
+            inputs: inputs.map(|(at, _)| register(Content::Input(at))).collect(),
+            code,
+            tables,
+            memory,
+        };
+        machine.load_constants();
+        machine.reset(program);
+        machine
+    }
+
+    /// Puts the constants into their registers, which nothing writes.
+    fn load_constants(&mut self) {
+        for (place, register) in &self.code.fixed {
+            match *place {
+                Place { class: Class::Float, content: Content::Constant(bits) } => {
+                    self.memory.floats[usize::from(*register)] = F::from_f64(f64::from_bits(bits));
+                }
+                Place { class: Class::Word, content: Content::Constant(word) } => {
+                    self.memory.words[usize::from(*register)] =
+                        u32::try_from(word).unwrap_or_else(|_| unreachable!("words are below 2^32"));
+                }
+                _ => {}
+            }
+        }
+    }
+
+    /// Gives every cell its start.
+    pub fn reset(&mut self, program: &Program) {
+        for (at, cell) in cells(program) {
+            match cell {
+                CellKind::Float { init } => {
+                    self.memory.floats[self.register(Class::Float, Content::Cell(at))] = F::from_f64(*init);
+                }
+                CellKind::Index { init } => {
+                    self.memory.words[self.register(Class::Word, Content::Cell(at))] = *init;
+                }
+                CellKind::Ring { init, .. } => {
+                    self.memory.rings[usize::from(at.0)].fill(F::from_f64(*init));
+                }
+            }
+        }
+    }
+
+    /// What every cell holds.
+    pub fn cells(&self, program: &Program) -> Vec<Vec<f64>> {
+        cells(program)
+            .map(|(at, cell)| match cell {
+                CellKind::Float { .. } => {
+                    let register = self.register(Class::Float, Content::Cell(at));
+                    vec![self.memory.floats[register].to_f64()]
+                }
+                CellKind::Index { .. } => {
+                    let register = self.register(Class::Word, Content::Cell(at));
+                    vec![f64::from(self.memory.words[register])]
+                }
+                CellKind::Ring { .. } => {
+                    let ring = &self.memory.rings[usize::from(at.0)];
+                    ring.iter().map(|x| x.to_f64()).collect()
+                }
+            })
+            .collect()
+    }
+
+    /// The register of something that keeps its register.
+    fn register(&self, class: Class, content: Content) -> usize {
+        usize::from(self.code.fixed[&Place { class, content }])
+    }
+
+    /// One step.
+    pub fn step(&mut self, measurements: &[f64], inputs: &[f64], estimates: &mut [f64]) -> Status {
+        let given = measurements.iter().zip(&self.measurements);
+        for (x, register) in given.chain(inputs.iter().zip(&self.inputs)) {
+            self.memory.floats[usize::from(*register)] = F::from_f64(*x);
+        }
+        for stage in &self.code.stages {
+            match stage.rows_of {
+                None => self.memory.execute(&stage.runs, &self.code.operands, &self.tables, &[]),
+                Some(table) => {
+                    let table = &self.tables[usize::from(table.0)];
+                    for row in table.elements.chunks_exact(table.columns) {
+                        self.memory.execute(&stage.runs, &self.code.operands, &self.tables, row);
+                    }
+                }
+            }
+        }
+        for (estimate, register) in estimates.iter_mut().zip(&self.code.estimates) {
+            *estimate = self.memory.floats[usize::from(*register)].to_f64();
+        }
+        match self.memory.words[usize::from(self.code.status)] {
+            0 => Status::Converging,
+            1 => Status::Converged,
+            _ => Status::Coasting,
+        }
+    }
+}
+
+/// The cells with their numbers.
+fn cells(program: &Program) -> impl Iterator<Item = (CellId, &CellKind)> {
+    (0..=u16::MAX).map(CellId).zip(program.cells.iter().map(|cell| &cell.kind))
+}
+
+/// What has a register whether or not an instruction names it.
+fn fixed(program: &Program) -> Vec<Place> {
+    let float = |content| Place { class: Class::Float, content };
+    let cells = cells(program).filter_map(|(at, cell)| match cell {
+        CellKind::Float { .. } => Some(float(Content::Cell(at))),
+        CellKind::Index { .. } => Some(Place { class: Class::Word, content: Content::Cell(at) }),
+        CellKind::Ring { .. } => None,
+    });
+    let measurements = (0..=u16::MAX).zip(&program.measurements);
+    let inputs = (0..=u16::MAX).zip(&program.inputs);
+    cells
+        .chain(measurements.map(|(at, _)| float(Content::Measurement(at))))
+        .chain(inputs.map(|(at, _)| float(Content::Input(at))))
+        .collect()
+}

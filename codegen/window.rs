@@ -1,0 +1,195 @@
+//! The window functional: an estimate that is a fixed weighted sum of the last N+1 samples.
+//!
+//! `x_k = sum_{j=0}^{N} K_j y_{k-j} + M_j w_{k-j} + c`, where w are the inputs and the nonlinear
+//! injections evaluated at the samples (window-observers, section 2, "stateless full-order FIR").
+//! Every window method that is realised without a state of its own ends here: [`solve`] finds the
+//! weights, [`certificate`] sums them, [`lower`] turns them into a Program.
+
+pub mod certificate;
+pub mod lower;
+pub mod model;
+pub mod settle;
+pub mod solve;
+
+use std::ops::Range;
+
+use crate::design::Settled;
+use crate::diagnostic::{Diagnostic, codes};
+use crate::expr::Constant;
+use crate::plant::Plant;
+use crate::real::Precision;
+
+/// A functional whose weights have settled.
+#[derive(Clone, Debug)]
+pub struct Functional {
+    /// N: the window has N+1 samples.
+    pub steps: usize,
+    /// Whole samples of delay, per output.
+    pub delays: Vec<usize>,
+    /// What else is known at each sample.
+    pub signals: Vec<Signal>,
+    /// K, per output.
+    pub outputs: Vec<Weights>,
+    /// M, per signal.
+    pub knowns: Vec<Weights>,
+    /// c, n: what the constant terms of the plant add.
+    pub constant: Vec<Settled>,
+    /// How the next measurement is predicted, per output.
+    pub prediction: Vec<Prediction>,
+}
+
+/// The weights of one signal by age; `None` marks a structural zero.
+#[derive(Clone, Debug)]
+pub struct Weights {
+    /// The age in calls of the first weight.
+    pub first: usize,
+    /// One column per state: the weights by age, or nothing.
+    pub columns: Vec<Option<Vec<Settled>>>,
+}
+
+impl Weights {
+    /// The ages in calls that have a weight.
+    pub fn ages(&self) -> Range<usize> {
+        let len = self.columns.iter().flatten().map(Vec::len).max().unwrap_or(0);
+        self.first..self.first + len
+    }
+
+    /// The weight of a state at an age; zero where there is none.
+    pub fn at(&self, state: usize, age: usize) -> Settled {
+        let place = age.checked_sub(self.first);
+        let column = self.columns[state].as_ref();
+        place.and_then(|place| column?.get(place).copied()).unwrap_or_default()
+    }
+
+    /// Sum of magnitudes over the ages.
+    pub fn l1(&self, state: usize) -> f64 {
+        self.columns[state].iter().flatten().map(|w| w.double.abs()).sum()
+    }
+
+    /// Sum of squares over the ages.
+    pub fn sum_of_squares(&self, state: usize) -> f64 {
+        self.columns[state].iter().flatten().map(|w| w.double * w.double).sum()
+    }
+}
+
+/// One output of the one-step prediction; `None` marks a structural zero.
+///
+/// Without delay: `y_{k+1} = (C Phi) x_k + sum over the signals`. With a delay of d samples:
+/// `y_{k+d} = C x_k`.
+#[derive(Clone, Debug)]
+pub struct Prediction {
+    /// C Phi, or C for a delayed output; per state.
+    pub states: Vec<Option<Settled>>,
+    /// Per signal: the whole effect of a value that is held over the step.
+    pub held: Vec<Option<Settled>>,
+    /// Per signal: the part of the value at the end of the step.
+    pub end: Vec<Option<Settled>>,
+    /// What the constant terms add.
+    pub constant: Settled,
+}
+
+/// Something known at each sample.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Signal {
+    /// What it is.
+    pub source: Source,
+    /// Which part of a sample interval its value is of.
+    pub part: Part,
+    /// In the user's names.
+    pub text: String,
+}
+
+/// What a signal is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Source {
+    /// An input of the plant.
+    Input(usize),
+    /// A nonlinear injection of the plant.
+    Injection(usize),
+}
+
+/// Which part of a sample interval a signal's value is of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// Constant since the previous call.
+    Held,
+    /// Straight from sample to sample: the value now.
+    Runs,
+    /// Evaluated at the previous sample with the input since then: the interval's start.
+    Start,
+    /// Evaluated at the sample now with the input until now: the interval's end.
+    End,
+}
+
+impl Part {
+    /// Calls between the sample that M counts by and the call that brings the value.
+    pub const fn lag(self) -> usize {
+        match self {
+            Self::Held | Self::Start => 1,
+            Self::Runs | Self::End => 0,
+        }
+    }
+}
+
+/// A time as a whole number of samples; `None` after reporting that it is not one.
+pub fn whole_samples(
+    time: &Constant,
+    span: &Range<usize>,
+    what: &str,
+    plant: &Plant,
+    found: &mut Vec<Diagnostic>,
+) -> Option<usize> {
+    const MOST: i64 = 20_000;
+    let h = &plant.sample_time.0;
+    let samples = match (time.as_rational(), h.as_rational()) {
+        (Some(time), Some(h)) => Some(time / h).filter(|n| n.is_int()).map(|n| n.to_f64().value()),
+        _ => nearly_whole(time, h),
+    };
+    let seconds = time.to_f64().unwrap_or(f64::NAN);
+    let ratio = seconds / plant.sample_time_s();
+    match samples {
+        Some(n) if n >= 0.0 && n <= MOST as f64 => Some(n as usize),
+        Some(n) => {
+            let message = format!("{what} has {n} samples");
+            let error = Diagnostic::error(codes::WINDOW_TOO_LONG, span.clone(), message).measured(n);
+            found.push(error.label(format!("at most {MOST} are designed")).help("a longer sample time, or a shorter time"));
+            None
+        }
+        None => {
+            let message = format!("{what} is not a whole number of samples");
+            let (below, above) = (ratio.floor(), ratio.ceil());
+            let h = plant.sample_time_s();
+            let error = Diagnostic::error(codes::NOT_WHOLE, span.clone(), message)
+                .label(format!("{} samples of {h} s", trimmed(ratio)))
+                .measured(ratio);
+            found.push(error.help(format!("{} s has {below} samples, {} s has {above}", trimmed(below * h), trimmed(above * h))));
+            None
+        }
+    }
+}
+
+/// A count as a number for messages.
+#[expect(clippy::cast_precision_loss, reason = "counts of samples are small")]
+pub fn count(value: usize) -> f64 {
+    value as f64
+}
+
+/// The length of some samples.
+pub fn seconds(samples: usize, sample_time_s: f64) -> f64 {
+    count(samples) * sample_time_s
+}
+
+/// Up to nine significant digits, for messages.
+pub fn trimmed(value: f64) -> f64 {
+    format!("{value:.8e}").parse().unwrap_or(value)
+}
+
+/// The ratio of two constants that are not both rational, when it is whole to 30 digits.
+fn nearly_whole(time: &Constant, h: &Constant) -> Option<f64> {
+    let precision = Precision::bits(256);
+    let ratio = time.evaluate(precision).ok()?.checked_div(&h.evaluate(precision).ok()?).ok()?;
+    let nearest = ratio.to_f64().round();
+    let whole = crate::real::Real::from_f64(nearest, precision)?;
+    let distance = &ratio - &whole;
+    (distance.is_zero() || distance.log2_abs() < -100.0).then_some(nearest)
+}

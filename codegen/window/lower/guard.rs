@@ -1,0 +1,158 @@
+//! Which samples may enter the state: bounds such that nothing computed from them overflows.
+//!
+//! Every sum of a step is at most its gain times the largest sample. With samples within
+//! [`Guard::bound`], a power of ten, every partial sum in any order stays below a sixteenth of the
+//! largest float, far beyond any physical quantity.
+
+use crate::design::Settled;
+use crate::diagnostic::{Diagnostic, codes};
+use crate::expr::bounds::Interval;
+use crate::expr::{Function, Node, NodeKind, Symbol};
+use crate::plant::Plant;
+use crate::program::Scalar;
+
+use super::super::{Functional, Prediction};
+use super::injections::round;
+
+/// Bounds on what may enter the state.
+pub struct Guard {
+    /// On inputs, injections and outputs without a range.
+    pub bound: f64,
+    /// Per output.
+    pub outputs: Vec<(f64, f64)>,
+    /// Per injection: whether it can pass the bound or be no number, and must be looked at.
+    pub injections: Vec<bool>,
+}
+
+impl Guard {
+    /// Finds the bound; a weight or range that the target's floats cannot hold is an error.
+    pub fn new(plant: &Plant, functional: &Functional) -> Result<Self, Vec<Diagnostic>> {
+        let gain = largest_gain(plant, functional);
+        let (largest, exponents) = match plant.scalar {
+            Scalar::F32 => (f64::from(f32::MAX), 0..=37),
+            Scalar::F64 => (f64::MAX, 0..=307),
+        };
+        let powers = exponents.rev().map(|e| format!("1e{e}").parse::<f64>().unwrap_or(1.0));
+        let bound = powers.map(|b| plant.scalar_value(b)).find(|b| b * 16.0 * gain <= largest);
+        let Some(bound) = bound else {
+            let message = format!("the gains, up to {gain:.1e}, are too large for {}", plant.scalar);
+            let error = Diagnostic::error(codes::OUT_OF_RANGE, plant.span.clone(), message).measured(gain);
+            return Err(vec![error.help("a longer window")]);
+        };
+        let mut found = Vec::new();
+        let outputs: Vec<(f64, f64)> = plant.outputs.iter().map(|o| output_range(plant, o, bound, &mut found)).collect();
+        if !found.is_empty() {
+            return Err(found);
+        }
+        let ranges = Ranges { plant, bound, outputs: &outputs, largest };
+        let needs = |node: &Node| ranges.enclose(node).is_none_or(|range| range.magnitude() > bound);
+        let injections = plant.injections.iter().map(|injection| needs(&injection.node)).collect();
+        Ok(Self { bound, outputs, injections })
+    }
+}
+
+fn output_range(plant: &Plant, output: &crate::plant::Output, bound: f64, found: &mut Vec<Diagnostic>) -> (f64, f64) {
+    let Some((low, high)) = &output.range else { return (-bound, bound) };
+    let (low, high) = (round(low, plant.scalar), round(high, plant.scalar));
+    if low < -bound || high > bound {
+        let message = format!("the range of `{}` is wider than can be computed with", output.label.name);
+        let error = Diagnostic::error(codes::OUT_OF_RANGE, output.label.span.clone(), message);
+        found.push(error.label(format!("at most ±{bound:e} in {}", plant.scalar)));
+    }
+    (low, high)
+}
+
+/// The largest sum of magnitudes in a step, for samples of magnitude 1; at least 1.
+fn largest_gain(plant: &Plant, functional: &Functional) -> f64 {
+    let size = |value: &Option<Settled>| value.map_or(0.0, |v| v.double.abs());
+    let state = |i: usize| -> f64 {
+        let weights = functional.outputs.iter().chain(&functional.knowns);
+        weights.map(|w| w.l1(i)).sum::<f64>() + functional.constant[i].double.abs()
+    };
+    let states: Vec<f64> = (0..plant.states.len()).map(state).collect();
+    let prediction = |p: &Prediction| -> f64 {
+        let own: f64 = p.states.iter().zip(&states).map(|(weight, gain)| size(weight) * gain).sum();
+        let signals: f64 = p.held.iter().chain(&p.end).map(|weight| 2.0 * size(weight)).sum();
+        own + signals + p.constant.double.abs()
+    };
+    let start = |s: &crate::plant::State| -> f64 {
+        s.measured.iter().map(|(_, w)| w.to_f64().unwrap_or(0.0).abs()).sum()
+    };
+    let predictions = functional.prediction.iter().map(prediction);
+    states.iter().copied().chain(predictions).chain(plant.states.iter().map(start)).fold(1.0, f64::max)
+}
+
+/// Between which numbers the steps of an injection's evaluation stay.
+struct Ranges<'a> {
+    plant: &'a Plant,
+    bound: f64,
+    outputs: &'a [(f64, f64)],
+    largest: f64,
+}
+
+impl Ranges<'_> {
+    /// `None` when a step may overflow or leave a function's domain.
+    fn enclose(&self, node: &Node) -> Option<Interval> {
+        let range = match &node.kind {
+            NodeKind::Constant => {
+                let constant = crate::expr::Constant::try_from(node.poly.clone()).ok()?;
+                Interval::point(constant.to_f64().ok()?)
+            }
+            NodeKind::Symbol(symbol) => self.symbol(*symbol),
+            NodeKind::Sum(terms) => self.parts(terms, Interval::point(0.0), |sum, minus, term| {
+                sum.plus(if minus { term.times(Interval::point(-1.0)) } else { term })
+            })?,
+            NodeKind::Product(factors) if factors.iter().all(|(divided, _)| !divided) => {
+                self.parts(factors, Interval::point(1.0), |product, _, factor| product.times(factor))?
+            }
+            NodeKind::Product(_) => return None,
+            NodeKind::Power(base, n) => {
+                let base = self.enclose(base)?;
+                (0..*n).fold(Interval::point(1.0), |product, _| product.times(base))
+            }
+            NodeKind::Call(function, arguments) => self.call(*function, arguments)?,
+        };
+        (range.magnitude() * 2.0 < self.largest).then_some(range)
+    }
+
+    fn parts(
+        &self,
+        parts: &[(bool, Node)],
+        start: Interval,
+        join: impl Fn(Interval, bool, Interval) -> Interval,
+    ) -> Option<Interval> {
+        let mut whole = start;
+        for (flag, part) in parts {
+            whole = join(whole, *flag, self.enclose(part)?);
+            if whole.magnitude() * 2.0 >= self.largest {
+                return None;
+            }
+        }
+        Some(whole)
+    }
+
+    fn call(&self, function: Function, arguments: &[Node]) -> Option<Interval> {
+        let ranges = arguments.iter().map(|a| self.enclose(a)).collect::<Option<Vec<_>>>()?;
+        match function {
+            Function::Sin | Function::Cos | Function::Tanh | Function::Sign => Some(Interval::new(-1.0, 1.0)),
+            Function::Atan | Function::Atan2 => Some(Interval::new(-4.0, 4.0)),
+            Function::Abs => Some(Interval::new(0.0, ranges[0].magnitude())),
+            Function::Min | Function::Max => {
+                Some(Interval::new(ranges[0].low.min(ranges[1].low), ranges[0].high.max(ranges[1].high)))
+            }
+            Function::Exp => Some(Interval::new(0.0, deadbeat_math::exp_f64(ranges[0].high))),
+            Function::Tan | Function::Asin | Function::Acos | Function::Log | Function::Sqrt | Function::Pow => None,
+        }
+    }
+
+    fn symbol(&self, symbol: Symbol) -> Interval {
+        match symbol {
+            Symbol::Time => Interval::new(0.0, 4_294_967_296.0 * self.plant.sample_time_s()),
+            Symbol::State(j) => self.plant.states[j].measured.iter().fold(Interval::point(0.0), |sum, (o, weight)| {
+                let (low, high) = self.outputs[*o];
+                sum.plus(Interval::new(low, high).times(Interval::point(weight.to_f64().unwrap_or(0.0))))
+            }),
+            _ => Interval::new(-self.bound, self.bound),
+        }
+    }
+}

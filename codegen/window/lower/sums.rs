@@ -1,0 +1,163 @@
+//! The sums over the window: loops over tables of weights, newest sample first.
+//!
+//! Ages are cut into segments in which the same signals have weights. A segment of at least
+//! [`SHORTEST_LOOP`] ages is a loop over a table whose rows are the ages; a shorter one is written
+//! out. Each (state, signal) pair has a sum of its own as long as there are few, so that the
+//! additions of one do not wait for those of another.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::plant::Plant;
+use crate::program::builder::Builder;
+use crate::program::{CellId, Value};
+
+use super::super::{Functional, Weights};
+
+/// Ages from which on a loop is shorter than its contents.
+const SHORTEST_LOOP: usize = 8;
+/// Sums that run side by side; a Cortex-M4F has 32 float registers.
+const MOST_SUMS: usize = 16;
+
+/// One signal of the window.
+struct Track<'a> {
+    name: String,
+    ring: CellId,
+    weights: &'a Weights,
+}
+
+/// Running sums by state and, where there are few, by track.
+type Sums = BTreeMap<(usize, usize), Value>;
+
+/// The estimate of each state from the whole window.
+pub fn estimate(
+    b: &mut Builder,
+    plant: &Plant,
+    functional: &Functional,
+    outputs: &[CellId],
+    signals: &[CellId],
+    newest: Value,
+) -> Vec<Value> {
+    b.section("the sums over the window, newest sample first");
+    let measured = plant.outputs.iter().zip(&functional.outputs).zip(outputs);
+    let known = functional.signals.iter().zip(&functional.knowns).zip(signals);
+    let tracks: Vec<Track> = measured
+        .map(|((output, weights), ring)| Track { name: output.label.name.clone(), ring: *ring, weights })
+        .chain(known.map(|((signal, weights), ring)| Track { name: signal.text.clone(), ring: *ring, weights }))
+        .collect();
+    let len = u32::try_from(functional.steps + 1).unwrap_or_else(|_| unreachable!("the window's length is bounded"));
+    let apart = pairs(&tracks) <= MOST_SUMS;
+    let mut window = Window { plant, tracks: &tracks, apart, sums: Sums::new(), len, slot: newest };
+    for (begin, end) in segments(&tracks) {
+        if end - begin >= SHORTEST_LOOP { window.in_a_loop(b, begin, end) } else { window.written_out(b, begin, end) }
+    }
+    let Window { sums, .. } = window;
+    (0..plant.states.len())
+        .map(|i| {
+            let mut terms: Vec<Value> = sums.iter().filter(|((state, _), _)| *state == i).map(|(_, v)| *v).collect();
+            let constant = functional.constant[i].value(plant.scalar);
+            if constant != 0.0 {
+                terms.push(b.float(constant));
+            }
+            b.sum(&terms)
+        })
+        .collect()
+}
+
+fn pairs(tracks: &[Track]) -> usize {
+    tracks.iter().map(|t| t.weights.columns.iter().flatten().count()).sum()
+}
+
+/// Ages between which no signal begins or ends.
+fn segments(tracks: &[Track]) -> Vec<(usize, usize)> {
+    let ends = tracks.iter().filter(|t| !t.weights.ages().is_empty()).flat_map(|t| [t.weights.ages().start, t.weights.ages().end]);
+    let ends: Vec<usize> = ends.chain([0]).collect::<BTreeSet<_>>().into_iter().collect();
+    ends.windows(2).map(|pair| (pair[0], pair[1])).collect()
+}
+
+struct Window<'a> {
+    plant: &'a Plant,
+    tracks: &'a [Track<'a>],
+    /// Whether each track has sums of its own.
+    apart: bool,
+    sums: Sums,
+    /// Ring length, N+1.
+    len: u32,
+    /// Slot of the age that comes next.
+    slot: Value,
+}
+
+impl Window<'_> {
+    fn key(&self, state: usize, track: usize) -> (usize, usize) {
+        (state, if self.apart { track } else { 0 })
+    }
+
+    /// Tracks with weights at an age, each with its states.
+    fn active(&self, age: usize) -> Vec<(usize, Vec<usize>)> {
+        let states = |t: &Track| (0..self.plant.states.len()).filter(|i| t.weights.columns[*i].is_some()).collect::<Vec<_>>();
+        let here = self.tracks.iter().enumerate().filter(|(_, t)| t.weights.ages().contains(&age));
+        here.map(|(place, t)| (place, states(t))).filter(|(_, states)| !states.is_empty()).collect()
+    }
+
+    fn weight(&self, track: usize, state: usize, age: usize) -> f64 {
+        self.tracks[track].weights.at(state, age).value(self.plant.scalar)
+    }
+
+    fn written_out(&mut self, b: &mut Builder, begin: usize, end: usize) {
+        for age in begin..end {
+            for (track, states) in self.active(age) {
+                let sample = b.read_ring(self.tracks[track].ring, self.slot);
+                for state in states {
+                    let weight = b.float(self.weight(track, state, age));
+                    let product = b.mul(weight, sample);
+                    let key = self.key(state, track);
+                    let sum = self.sums.get(&key).map_or(product, |sum| b.add(*sum, product));
+                    self.sums.insert(key, sum);
+                }
+            }
+            self.slot = b.retreat(self.slot, self.len);
+        }
+    }
+
+    fn in_a_loop(&mut self, b: &mut Builder, begin: usize, end: usize) {
+        let active = self.active(begin);
+        if active.is_empty() {
+            (begin..end).for_each(|_| self.slot = b.retreat(self.slot, self.len));
+            return;
+        }
+        let columns: Vec<(usize, usize)> =
+            active.iter().flat_map(|(track, states)| states.iter().map(|state| (*track, *state))).collect();
+        let docs = columns
+            .iter()
+            .map(|(track, state)| format!("{} from {}", self.plant.states[*state].label.name, self.tracks[*track].name));
+        let rows = (begin..end).map(|age| columns.iter().map(|(track, state)| self.weight(*track, *state, age)).collect());
+        let doc = format!("weights by age, from age {begin}");
+        let table = b.table("WINDOW", &doc, docs.collect(), rows.collect());
+        let keys: Vec<(usize, usize)> =
+            columns.iter().map(|(track, state)| self.key(*state, *track)).collect::<BTreeSet<_>>().into_iter().collect();
+        let mut starts: Vec<Value> =
+            keys.iter().map(|key| self.sums.get(key).copied().unwrap_or_else(|| b.float(0.0))).collect();
+        starts.push(self.slot);
+        let len = self.len;
+        let after = b.loop_over(table, &starts, |b, carried| {
+            let slot = carried[keys.len()];
+            let mut sums: Sums = keys.iter().copied().zip(carried.iter().copied()).collect();
+            let mut column = 0;
+            for (track, states) in &active {
+                let sample = b.read_ring(self.tracks[*track].ring, slot);
+                for state in states {
+                    let weight = b.gain(column);
+                    let product = b.mul(weight, sample);
+                    let key = self.key(*state, *track);
+                    let sum = b.add(sums[&key], product);
+                    sums.insert(key, sum);
+                    column += 1;
+                }
+            }
+            let mut next: Vec<Value> = keys.iter().map(|key| sums[key]).collect();
+            next.push(b.retreat(slot, len));
+            next
+        });
+        self.slot = after[keys.len()];
+        self.sums.extend(keys.iter().copied().zip(after));
+    }
+}

@@ -1,0 +1,119 @@
+//! The sampled plant: what one sample interval does to the state, at a given precision.
+//!
+//! Continuous plants are discretised exactly for inputs that keep their value, and for signals
+//! that run straight from sample to sample; nothing here approximates but the straight line
+//! itself. Discrete plants are taken as they are.
+
+use crate::diagnostic::{Diagnostic, codes};
+use crate::expr::Constant;
+use crate::plant::split::{Change, change};
+use crate::plant::{Hold, Plant};
+use crate::real::{Matrix, Precision, Real, first_order_hold, zero_order_hold};
+
+use super::{Part, Signal, Source};
+
+/// One sample interval of the plant.
+#[derive(Clone, Debug)]
+pub struct Model {
+    /// Phi, n x n.
+    pub phi: Matrix,
+    /// C, p x n.
+    pub c: Matrix,
+    /// Per signal.
+    pub effects: Vec<Effect>,
+    /// n x 1: the effect of the constant terms.
+    pub constant: Matrix,
+}
+
+/// What a signal does to the state over one interval; n x 1 each.
+#[derive(Clone, Debug, Default)]
+pub struct Effect {
+    /// Times the value that the call at the interval's beginning brought.
+    pub at_begin: Option<Matrix>,
+    /// Times the value that the call at the interval's end brought.
+    pub at_end: Option<Matrix>,
+}
+
+/// What is known at each sample besides the outputs.
+pub fn signals(plant: &Plant) -> Vec<Signal> {
+    let mut signals = Vec::new();
+    for (i, input) in plant.inputs.iter().enumerate() {
+        if plant.b.iter().any(|row| !row[i].is_zero()) {
+            let part = if input.hold == Hold::Zero { Part::Held } else { Part::Runs };
+            signals.push(Signal { source: Source::Input(i), part, text: input.label.name.clone() });
+        }
+    }
+    for (k, injection) in plant.injections.iter().enumerate() {
+        let mut push = |part, text: String| signals.push(Signal { source: Source::Injection(k), part, text });
+        match change(&injection.node.poly, |i| plant.inputs[i].hold) {
+            Change::Held => push(Part::Held, injection.text.clone()),
+            Change::Runs => push(Part::Runs, injection.text.clone()),
+            Change::RunsAndJumps => {
+                push(Part::Start, format!("{} at the start", injection.text));
+                if !plant.discrete {
+                    push(Part::End, format!("{} at the end", injection.text));
+                }
+            }
+        }
+    }
+    signals
+}
+
+impl Model {
+    /// Samples the plant.
+    pub fn new(plant: &Plant, signals: &[Signal], precision: Precision) -> Result<Self, Diagnostic> {
+        let value = |constant: &Constant| {
+            constant.evaluate(precision).unwrap_or_else(|_| unreachable!("the plant stage has evaluated every constant"))
+        };
+        let n = plant.states.len();
+        let a = Matrix::from_fn(n, n, |i, j| value(&plant.a[i][j]), );
+        let c = Matrix::from_fn(plant.outputs.len(), n, |i, j| value(&plant.c[i][j]));
+        let column = |signal: &Signal| {
+            Matrix::from_fn(n, 1, |i, _| match signal.source {
+                Source::Input(u) => value(&plant.b[i][u]),
+                Source::Injection(k) => value(&plant.injections[k].column[i]),
+            })
+        };
+        let offset = Matrix::from_fn(n, 1, |i, _| value(&plant.offset[i]));
+        if plant.discrete {
+            let effects = signals.iter().map(|signal| discrete_effect(signal.part, column(signal))).collect();
+            return Ok(Self { phi: a, c, effects, constant: offset });
+        }
+        let h = value(&plant.sample_time.0);
+        let too_large = |error: &dyn std::fmt::Display| {
+            let span = plant.sample_time.1.clone();
+            Diagnostic::error(codes::OUT_OF_RANGE, span, "the plant is too fast for this sample time")
+                .label(error.to_string())
+                .help("shorten the sample time, or leave the fast states out of the model")
+        };
+        let (phi, constant) = zero_order_hold(&a, &offset, &h).map_err(|e| too_large(&e))?;
+        let mut effects = Vec::new();
+        for signal in signals {
+            let effect = continuous_effect(signal.part, &a, &column(signal), &h).map_err(|e| too_large(&e))?;
+            effects.push(effect);
+        }
+        Ok(Self { phi, c, effects, constant })
+    }
+}
+
+/// A discrete plant uses the value at the beginning of its step.
+fn discrete_effect(part: Part, column: Matrix) -> Effect {
+    match part {
+        Part::Held | Part::Start => Effect { at_begin: None, at_end: Some(column) },
+        Part::Runs => Effect { at_begin: Some(column), at_end: None },
+        Part::End => Effect::default(),
+    }
+}
+
+fn continuous_effect(part: Part, a: &Matrix, column: &Matrix, h: &Real) -> Result<Effect, crate::real::NormTooLarge> {
+    if part == Part::Held {
+        let (_, gamma) = zero_order_hold(a, column, h)?;
+        return Ok(Effect { at_begin: None, at_end: Some(gamma) });
+    }
+    let (_, first, last) = first_order_hold(a, column, h)?;
+    Ok(match part {
+        Part::Start => Effect { at_begin: None, at_end: Some(first) },
+        Part::End => Effect { at_begin: None, at_end: Some(last) },
+        _ => Effect { at_begin: Some(first), at_end: Some(last) },
+    })
+}

@@ -1,0 +1,135 @@
+//! Rounds a functional once, when its constants have settled.
+//!
+//! Every design runs at d and at 2d digits, d rising until each constant rounds to the same double
+//! and the same single. A constant that is zero in exact arithmetic never does: it shrinks with the
+//! precision instead, and is recognised by that.
+
+use crate::design::{Numerics, Settled};
+use crate::diagnostic::{Diagnostic, codes};
+use crate::plant::Plant;
+use crate::real::{Precision, Real, compare};
+
+use super::model::Model;
+use super::solve::{Exact, ExactPrediction};
+use super::{Functional, Prediction, Signal, Weights};
+
+/// Bits of the first run; the second has twice as many.
+const FIRST_BITS: usize = 256;
+/// Bits of the last run that is tried.
+const LAST_BITS: usize = 4_096;
+/// Bits of a constant that rounding errors may have spoiled while it still counts as vanishing.
+const GUARD_BITS: f64 = 128.0;
+
+/// Designs at rising precision until everything has settled.
+pub fn settle(
+    plant: &Plant,
+    signals: Vec<Signal>,
+    delays: &[usize],
+    steps: usize,
+) -> Result<(Functional, Exact, Numerics), Diagnostic> {
+    let run = |p: Precision| -> Result<Exact, Diagnostic> {
+        let model = Model::new(plant, &signals, p)?;
+        Exact::new(model, &signals, delays, steps, p).map_err(|error| {
+            Diagnostic::error(codes::UNOBSERVABLE, plant.span.clone(), "the window does not determine the state")
+                .label(error.to_string())
+        })
+    };
+    let mut precision = Precision::bits(FIRST_BITS);
+    let mut coarse = run(precision)?;
+    let mut agreement;
+    loop {
+        let fine = run(precision.doubled())?;
+        let mut pass = Pass { precision, coarse: Vec::new(), fine: Vec::new(), settled: Vec::new() };
+        let functional = pass.functional(&coarse, &fine, signals.clone(), delays, steps);
+        let result = compare(pass.coarse.iter(), pass.fine.iter());
+        agreement = result.digits;
+        let unbiased = fine.unbiasedness < 1e-30;
+        if result.same_f64 && result.same_f32 && unbiased {
+            let numerics = Numerics {
+                digits: precision.as_digits(),
+                agreement,
+                condition: 0.0,
+                unbiasedness: fine.unbiasedness,
+            };
+            return Ok((functional, fine, numerics));
+        }
+        precision = precision.doubled();
+        if precision.as_bits() > LAST_BITS {
+            return Err(refusal(plant, agreement, fine.unbiasedness));
+        }
+        coarse = fine;
+    }
+}
+
+fn refusal(plant: &Plant, agreement: f64, unbiasedness: f64) -> Diagnostic {
+    if agreement >= 17.0 {
+        let message = "the estimate would be biased";
+        return Diagnostic::error(codes::CHECK_FAILED, plant.span.clone(), message)
+            .label(format!("acc_(N+1) is {unbiasedness:.1e} of its history, not 0"))
+            .measured(unbiasedness);
+    }
+    let message = format!("the constants do not settle at {} bits", LAST_BITS);
+    Diagnostic::error(codes::PRECISION, plant.span.clone(), message)
+        .label(format!("two runs agree to {agreement:.1} digits"))
+        .measured(agreement)
+        .help("a shorter window, or a model without modes that decay within a sample")
+}
+
+/// One comparison of two runs.
+struct Pass {
+    precision: Precision,
+    coarse: Vec<Real>,
+    fine: Vec<Real>,
+    settled: Vec<Settled>,
+}
+
+impl Pass {
+    /// Rounds numbers of one unit; exact zeros on both sides are structural and give nothing.
+    fn group(&mut self, coarse: &[Real], fine: &[Real]) -> Option<Vec<Settled>> {
+        if coarse.iter().chain(fine).all(Real::is_zero) {
+            return None;
+        }
+        let scale = fine.iter().map(Real::log2_abs).fold(f64::NEG_INFINITY, f64::max);
+        let bits = self.precision.as_bits() as f64;
+        let vanishes = |c: &Real, f: &Real| {
+            let (c, f) = (c.log2_abs(), f.log2_abs());
+            let small = c < scale - bits + GUARD_BITS && f < scale - 2.0 * bits + GUARD_BITS;
+            small || f < c - 0.75 * bits
+        };
+        self.settled.clear();
+        for (c, f) in coarse.iter().zip(fine) {
+            let gone = vanishes(c, f);
+            let (c, f) = if gone { (Real::zero(self.precision), Real::zero(self.precision)) } else { (c.clone(), f.clone()) };
+            self.settled.push(Settled::round(&f));
+            self.coarse.push(c);
+            self.fine.push(f);
+        }
+        Some(self.settled.clone())
+    }
+
+    /// Rounds numbers of different units; each structural zero gives nothing.
+    fn each(&mut self, coarse: &[Real], fine: &[Real]) -> Vec<Option<Settled>> {
+        let one = |pass: &mut Self, i: usize| pass.group(&coarse[i..=i], &fine[i..=i]).map(|s| s[0]);
+        (0..coarse.len()).map(|i| one(self, i)).collect()
+    }
+
+    fn weights(&mut self, first: usize, coarse: &[Vec<Real>], fine: &[Vec<Real>]) -> Weights {
+        Weights { first, columns: coarse.iter().zip(fine).map(|(c, f)| self.group(c, f)).collect() }
+    }
+
+    fn prediction(&mut self, coarse: &ExactPrediction, fine: &ExactPrediction) -> Prediction {
+        let states = self.each(&coarse.states, &fine.states);
+        let held = self.each(&coarse.held, &fine.held);
+        let end = self.each(&coarse.end, &fine.end);
+        let constant = self.each(std::slice::from_ref(&coarse.constant), std::slice::from_ref(&fine.constant));
+        Prediction { states, held, end, constant: constant[0].unwrap_or_default() }
+    }
+
+    fn functional(&mut self, coarse: &Exact, fine: &Exact, signals: Vec<Signal>, delays: &[usize], steps: usize) -> Functional {
+        let outputs = coarse.outputs.iter().zip(&fine.outputs).map(|(c, f)| self.weights(0, c, f)).collect();
+        let knowns = (0..signals.len()).map(|s| self.weights(fine.first[s], &coarse.knowns[s], &fine.knowns[s])).collect();
+        let constant = self.each(&coarse.constant, &fine.constant).into_iter().map(Option::unwrap_or_default).collect();
+        let prediction = coarse.prediction.iter().zip(&fine.prediction).map(|(c, f)| self.prediction(c, f)).collect();
+        Functional { steps, delays: delays.to_vec(), signals, outputs, knowns, constant, prediction }
+    }
+}

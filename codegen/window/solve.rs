@@ -1,0 +1,171 @@
+//! The weights of the least-squares functional, at a given precision.
+//!
+//! `K = Phi^N O^+` with `O = [C; C Phi; …; C Phi^N]`, referenced to the window's start and solved by an
+//! orthogonal method: referenced to its end it would be ill conditioned for fast stable modes.
+//! M follows without an inverse (window-observers, section 2):
+//!
+//! `acc_1 = I - K_0 C`, `acc_{i+1} = acc_i Phi - K_i C`, `M_i = acc_i Gamma`, and `acc_{N+1} = 0`
+//! says that the estimate is unbiased; every design checks it.
+//!
+//! An output that arrives d samples late has rows `C Phi^{N-s}` only for states of age s >= d; its
+//! weight at call age j is that of state age j + d. Nothing else changes.
+
+use crate::real::{Matrix, Precision, RankDeficient, Real, pseudo_inverse};
+
+use super::Part;
+use super::Signal;
+use super::model::Model;
+
+/// All numbers of a functional, before they are rounded.
+#[derive(Clone, Debug)]
+pub struct Exact {
+    /// The sampled plant.
+    pub model: Model,
+    /// Per output and state: weights by call age from 0.
+    pub outputs: Vec<Vec<Vec<Real>>>,
+    /// Per signal and state: weights by call age from [`Exact::first`].
+    pub knowns: Vec<Vec<Vec<Real>>>,
+    /// Per signal: the first call age with a weight.
+    pub first: Vec<usize>,
+    /// n: what the constant terms add.
+    pub constant: Vec<Real>,
+    /// Per output: C Phi or C, per state; then per signal held and end effects; then the constant's.
+    pub prediction: Vec<ExactPrediction>,
+    /// Largest entry of `acc_{N+1}` against its history.
+    pub unbiasedness: f64,
+}
+
+/// The one-step prediction of an output.
+#[derive(Clone, Debug)]
+pub struct ExactPrediction {
+    /// Per state.
+    pub states: Vec<Real>,
+    /// Per signal: the whole effect of a value that stays; of a start, with its end's.
+    pub held: Vec<Real>,
+    /// Per signal: the end alone.
+    pub end: Vec<Real>,
+    /// Of the constant terms.
+    pub constant: Real,
+}
+
+/// C Phi^j for j = 0 … N, p x n each.
+pub fn output_powers(model: &Model, steps: usize) -> Vec<Matrix> {
+    let mut powers = vec![model.c.clone()];
+    for j in 0..steps {
+        let next = &powers[j] * &model.phi;
+        powers.push(next);
+    }
+    powers
+}
+
+/// The observability matrix of the window, referenced to its start, with the (state age, output) of each row.
+pub fn observability(powers: &[Matrix], delays: &[usize]) -> (Matrix, Vec<(usize, usize)>) {
+    let steps = powers.len() - 1;
+    let n = powers[0].cols();
+    let mut rows = Vec::new();
+    for age in 0..=steps {
+        rows.extend((0..delays.len()).filter(|i| age >= delays[*i]).map(|i| (age, i)));
+    }
+    let matrix = Matrix::from_fn(rows.len(), n, |r, j| powers[steps - rows[r].0].get(rows[r].1, j).clone());
+    (matrix, rows)
+}
+
+impl Exact {
+    /// Solves for the weights.
+    pub fn new(model: Model, signals: &[Signal], delays: &[usize], steps: usize, p: Precision) -> Result<Self, RankDeficient> {
+        let n = model.phi.rows();
+        let powers = output_powers(&model, steps);
+        let (observability, rows) = observability(&powers, delays);
+        let inverse = pseudo_inverse(&observability)?;
+        let weights = &model.phi.powi(steps as u64) * &inverse;
+        let mut by_age = vec![Matrix::zeros(n, delays.len(), p); steps + 1];
+        for (place, (age, output)) in rows.iter().enumerate() {
+            for i in 0..n {
+                by_age[*age][(i, *output)] = weights.get(i, place).clone();
+            }
+        }
+        let outputs = (0..delays.len()).map(|o| {
+            let state = |i: usize| (delays[o]..=steps).map(|age| by_age[age].get(i, o).clone()).collect();
+            (0..n).map(state).collect()
+        });
+        let outputs = outputs.collect();
+        let (accumulated, unbiasedness) = accumulate(&model, &by_age, p);
+        let first: Vec<usize> = model.effects.iter().map(|e| usize::from(e.at_end.is_none())).collect();
+        let knowns = (0..signals.len()).map(|s| known_weights(&model, s, &accumulated, signals[s].part)).collect();
+        let mut constant = Matrix::zeros(n, 1, p);
+        for acc in &accumulated {
+            constant = &constant + &(acc * &model.constant);
+        }
+        let constant = (0..n).map(|i| constant.get(i, 0).clone()).collect();
+        let prediction = (0..delays.len()).map(|o| predict(&model, signals, o, delays[o])).collect();
+        Ok(Self { model, outputs, knowns, first, constant, prediction, unbiasedness })
+    }
+}
+
+/// `acc_1 … acc_N`, and how far `acc_{N+1}` is from zero.
+fn accumulate(model: &Model, by_age: &[Matrix], p: Precision) -> (Vec<Matrix>, f64) {
+    let n = model.phi.rows();
+    let mut acc = &Matrix::identity(n, p) - &(&by_age[0] * &model.c);
+    let mut all = Vec::new();
+    for weights in &by_age[1..] {
+        all.push(acc.clone());
+        acc = &(&acc * &model.phi) - &(weights * &model.c);
+    }
+    let mut worst = 0.0_f64;
+    for i in 0..n {
+        for j in 0..n {
+            let largest = all.iter().map(|a| a.get(i, j).abs()).max().filter(|x| !x.is_zero());
+            let bias = acc.get(i, j).abs();
+            let ratio = match largest {
+                _ if bias.is_zero() => 0.0,
+                Some(largest) => (&bias / &largest).to_f64(),
+                None => f64::INFINITY,
+            };
+            worst = worst.max(ratio);
+        }
+    }
+    (all, worst)
+}
+
+/// M of one signal, per state, by call age.
+fn known_weights(model: &Model, signal: usize, accumulated: &[Matrix], part: Part) -> Vec<Vec<Real>> {
+    let effect = &model.effects[signal];
+    let steps = accumulated.len();
+    let ages = match (part, &effect.at_begin, &effect.at_end) {
+        (Part::Runs, Some(_), Some(_)) => 0..=steps,
+        (Part::Runs, _, None) => 1..=steps,
+        _ => 0..=steps - 1,
+    };
+    let columns: Vec<Matrix> = ages
+        .map(|age| {
+            let end = effect.at_end.as_ref().filter(|_| age < steps).map(|gamma| &accumulated[age] * gamma);
+            let begin = effect.at_begin.as_ref().filter(|_| age > 0).map(|gamma| &accumulated[age - 1] * gamma);
+            match (begin, end) {
+                (Some(begin), Some(end)) => &begin + &end,
+                (Some(one), None) | (None, Some(one)) => one,
+                (None, None) => unreachable!("every age in the range has an effect"),
+            }
+        })
+        .collect();
+    (0..model.phi.rows()).map(|i| columns.iter().map(|column| column.get(i, 0).clone()).collect()).collect()
+}
+
+/// How an output's next sample is predicted from the estimate.
+fn predict(model: &Model, signals: &[Signal], output: usize, delay: usize) -> ExactPrediction {
+    let n = model.phi.rows();
+    let c = model.c.block(output..output + 1, 0..n);
+    let row = if delay == 0 { &c * &model.phi } else { c.clone() };
+    let zero = Real::zero(model.phi.precision());
+    let through = |gamma: &Option<Matrix>| match gamma {
+        Some(gamma) if delay == 0 => (&c * gamma).get(0, 0).clone(),
+        _ => zero.clone(),
+    };
+    let end: Vec<Real> = model.effects.iter().map(|e| through(&e.at_end)).collect();
+    let whole = |s: usize| match signals.get(s + 1) {
+        Some(next) if next.part == Part::End => &end[s] + &end[s + 1],
+        _ => &through(&model.effects[s].at_begin) + &end[s],
+    };
+    let held = (0..signals.len()).map(whole).collect();
+    let constant = through(&Some(model.constant.clone()));
+    ExactPrediction { states: (0..n).map(|j| row.get(0, j).clone()).collect(), held, end, constant }
+}

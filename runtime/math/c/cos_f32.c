@@ -1,0 +1,13 @@
+/* Cosine of an angle in radians, the nearest float. */
+static float deadbeat_cos_f32(float x)
+{
+    const uint32_t magnitude = deadbeat_f32_to_bits(x) & DEADBEAT_MAGNITUDE_F32;
+    if (magnitude >= DEADBEAT_INFINITY_F32) {
+        return deadbeat_f32_from_bits(DEADBEAT_NAN_F32);
+    }
+    if (magnitude == 0) {
+        return deadbeat_f32_from_bits(DEADBEAT_ONE_F32);
+    }
+    const deadbeat_signed_t value = deadbeat_cosine_at(deadbeat_reduce_f32(magnitude));
+    return deadbeat_rounded_f32(deadbeat_sign_f32(value.negative), value.magnitude);
+}

@@ -1,0 +1,5 @@
+/* The bits of a number. */
+typedef union {
+    double value;
+    uint64_t bits;
+} deadbeat_f64_cell_t;
