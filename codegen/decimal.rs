@@ -34,6 +34,13 @@ pub fn parse(text: &str) -> Result<RBig, String> {
     Ok(if scale >= 0 { RBig::from(signed * IBig::from(power)) } else { RBig::from_parts(signed, power) })
 }
 
+/// A measured number for messages: up to nine digits, with an exponent where zeros would pile up.
+pub fn show(value: f64) -> String {
+    let short: f64 = format!("{value:.8e}").parse().unwrap_or(value);
+    let size = short.abs();
+    if size == 0.0 || !size.is_finite() || (1e-5..1e9).contains(&size) { short.to_string() } else { format!("{short:e}") }
+}
+
 fn exponent_of(text: &str) -> Option<i32> {
     text.parse::<i32>().ok().filter(|e| e.abs() <= MAX_EXPONENT)
 }

@@ -37,7 +37,7 @@ pub fn header(generated: &Generated, source: &Source, language: Language) -> Hea
     lines.push(String::new());
     lines.extend(certificate(generated));
     lines.push(String::new());
-    lines.push(format!("Cost per call, the same for every call: {}", cost(&generated.program, deadbeat_math::COSTS)));
+    lines.extend(costs(generated));
     lines.push(String::new());
     lines.push("Contract:".into());
     lines.extend(CONTRACT.iter().enumerate().map(|(i, line)| format!("{:>2}. {line}", i + 1)));
@@ -99,9 +99,22 @@ fn equations(plant: &Plant) -> Vec<String> {
     for (place, line) in lines.iter_mut().enumerate() {
         *line = format!("{}{line}", if place == 0 { "Plant      " } else { "           " });
     }
+    for parameter in &plant.parameters {
+        let value = short_exactly(&parameter.value);
+        let label = &parameter.label;
+        let unit = if label.unit.is_empty() { String::new() } else { format!(" {}", label.unit) };
+        let doc = if label.doc.is_empty() { String::new() } else { format!(", {}", label.doc) };
+        lines.push(format!("             {} = {value}{unit}{doc}", label.name));
+    }
     let measured: Vec<String> = plant.outputs.iter().map(measured).collect();
     lines.push(format!("Measured   {}", measured.join(", ")));
     lines
+}
+
+/// The nearest double, shortest.
+fn short_exactly(value: &crate::expr::Constant) -> String {
+    let value = value.to_f64().unwrap_or(f64::NAN);
+    if value == 0.0 || (1e-4..1e9).contains(&value.abs()) { value.to_string() } else { format!("{value:e}") }
 }
 
 fn measured(output: &crate::plant::Output) -> String {
@@ -123,6 +136,21 @@ fn converged(generated: &Generated) -> String {
     let time = format!("{:.9}", crate::window::seconds(step, generated.plant.sample_time_s()));
     let time = time.trim_end_matches('0').trim_end_matches('.');
     format!("Converged  from call {} ({time} s after the first), whatever the initial state", step + 1)
+}
+
+/// What a call takes, at most and always.
+fn costs(generated: &Generated) -> Vec<String> {
+    let cost = cost(&generated.program, deadbeat_math::COSTS);
+    let counted = cost.to_string();
+    let operations = counted.split(';').next().unwrap_or_default();
+    vec![
+        format!("Cost       {operations} a call, the same for every call"),
+        format!("Memory     state {} bytes, constants {} bytes", cost.ram_bytes, cost.table_bytes),
+        format!(
+            "           at most: stack {} bytes, flash {} bytes without elementary functions",
+            cost.stack_bytes, cost.flash_bytes
+        ),
+    ]
 }
 
 /// Gains and bounds as a table: a column per state.

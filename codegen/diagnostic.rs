@@ -30,7 +30,7 @@ impl Source {
 
     /// The nearest character boundary at or before `offset`.
     fn floor(&self, offset: usize) -> usize {
-        self.text.floor_char_boundary(offset)
+        floor_boundary(&self.text, offset)
     }
 
     /// The span with both ends inside the text and on character boundaries.
@@ -38,6 +38,11 @@ impl Source {
         let start = self.floor(span.start);
         start..self.floor(span.end).max(start)
     }
+}
+
+/// The nearest character boundary of a text at or before an offset.
+pub fn floor_boundary(text: &str, offset: usize) -> usize {
+    (0..=offset.min(text.len())).rev().find(|at| text.is_char_boundary(*at)).unwrap_or(0)
 }
 
 /// How bad it is.

@@ -13,6 +13,8 @@ pub mod names;
 mod plan;
 mod rust;
 mod split;
+#[cfg(test)]
+mod tests;
 mod text;
 
 use proc_macro2::TokenStream;

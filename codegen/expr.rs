@@ -82,19 +82,23 @@ pub enum Symbol {
     Disturbance(usize),
 }
 
-/// Nearest word of `choices` for a "did you mean"; at most two edits away, fewer for short words.
+/// Nearest word of `choices` for a "did you mean"; few edits away, so that something of the word is left.
 pub fn nearest<'a>(word: &str, choices: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let allowed = match word.len() {
-        0..=2 => 1,
-        3..=8 => 2,
+        0..=3 => 1,
+        4..=8 => 2,
         _ => 3,
     };
+    let close = |choice: &str| {
+        let distance = edit_distance(word, choice);
+        let shorter = word.len().min(choice.len());
+        (distance <= allowed && distance < shorter) || word.eq_ignore_ascii_case(choice)
+    };
+    let common = |choice: &str| word.bytes().zip(choice.bytes()).take_while(|(a, b)| a == b).count();
     choices
         .into_iter()
-        .map(|choice| (edit_distance(word, choice), choice))
-        .filter(|(distance, choice)| *distance <= allowed && *distance < choice.len().max(2))
-        .min()
-        .map(|(_, choice)| choice)
+        .filter(|choice| close(choice))
+        .min_by_key(|choice| (edit_distance(word, choice), usize::MAX - common(choice), *choice))
 }
 
 /// Levenshtein distance.

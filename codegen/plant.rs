@@ -3,11 +3,13 @@
 //! In: a [`Spec`]. Out: a [`Plant`] that no longer shows whether it was written as equations or as
 //! matrices. Every coefficient is an exact [`Constant`]; a zero is a structural zero.
 
+pub mod modes;
 pub mod split;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
+use crate::decimal;
 use crate::diagnostic::{Diagnostic, Report, Source, codes};
 use crate::expr::{Constant, Meaning, Names, Node, Poly, Symbol, parse, resolve};
 use crate::program::Scalar;
@@ -25,6 +27,15 @@ pub struct Label {
     pub doc: String,
     /// Of the name in the file.
     pub span: Range<usize>,
+}
+
+/// A named constant.
+#[derive(Clone, Debug)]
+pub struct Parameter {
+    /// What it is called.
+    pub label: Label,
+    /// Exactly.
+    pub value: Constant,
 }
 
 /// A state.
@@ -135,8 +146,8 @@ pub struct Plant {
     pub offset: Vec<Constant>,
     /// phi = sum of column times function.
     pub injections: Vec<Injection>,
-    /// What the method's own keys may name.
-    pub parameters: Vec<(String, Meaning)>,
+    /// What expressions, and the method's own keys, may name.
+    pub parameters: Vec<Parameter>,
     /// Seconds between two calls, with its place.
     pub sample_time: (Constant, Range<usize>),
     /// The float type of the step.
@@ -162,7 +173,13 @@ impl Plant {
 
     /// The value of one of a method's keys; mistakes are collected.
     pub fn constant(&self, quantity: &Quantity, found: &mut Vec<Diagnostic>) -> Option<Constant> {
-        read_constant(quantity, &self.parameters, found)
+        let parameters = self.parameters.iter().map(|p| (p.label.name.clone(), Meaning::Parameter(p.value.clone())));
+        // States and inputs are known too, so that they are refused for what they are.
+        let symbol = |label: &Label, symbol| (label.name.clone(), Meaning::Symbol(symbol));
+        let states = self.states.iter().enumerate().map(|(j, state)| symbol(&state.label, Symbol::State(j)));
+        let inputs = self.inputs.iter().enumerate().map(|(i, input)| symbol(&input.label, Symbol::Input(i)));
+        let known: Vec<(String, Meaning)> = parameters.chain(states).chain(inputs).collect();
+        read_constant(quantity, &known, found)
     }
 
     /// Splits a specification; the warnings come with the plant.
@@ -197,14 +214,17 @@ struct Parts {
 
 impl Reading<'_> {
     fn plant(&mut self) -> Option<Plant> {
-        self.read_parameters();
         let spec = self.spec;
+        self.known = spec.parameters.iter().map(|p| (p.named.name.value.clone(), Meaning::Later)).collect();
+        let names = self.shape();
+        self.read_parameters();
         let sample_time = self.positive(&spec.sample_time, "the sample time");
-        let names = self.shape()?;
+        let names = names?;
         let outputs: Vec<Option<Output>> = spec.outputs.iter().map(|o| self.output(o)).collect();
         let initial: Vec<Option<Constant>> = spec.states.iter().map(|s| self.optional(s.initial.as_ref())).collect();
         let bounds: Vec<Option<Constant>> = spec.disturbances.iter().map(|d| self.bound(d)).collect();
-        let parts = if spec.matrices.is_some() { self.by_matrices(&names) } else { self.by_equations() };
+        let late: Vec<bool> = outputs.iter().map(|o| o.as_ref().is_some_and(|o| o.delay.is_some())).collect();
+        let parts = if spec.matrices.is_some() { self.by_matrices(&names) } else { self.by_equations(&late) };
         let parts = parts?;
         self.check_uses(&parts);
         let mut outputs: Vec<Output> = outputs.into_iter().collect::<Option<_>>()?;
@@ -244,7 +264,7 @@ impl Reading<'_> {
             c: parts.c,
             offset: parts.offset,
             injections: parts.injections,
-            parameters: self.known.iter().filter(|(_, m)| matches!(m, Meaning::Parameter(_))).cloned().collect(),
+            parameters: spec.parameters.iter().zip(&self.known).filter_map(parameter).collect(),
             sample_time: (sample_time?, spec.sample_time.span()),
             scalar: spec.scalar,
             span: spec.observer.method.span.clone(),
@@ -253,13 +273,10 @@ impl Reading<'_> {
 
     /// Parameters may use those before them.
     fn read_parameters(&mut self) {
-        for parameter in &self.spec.parameters {
-            if let Some(value) = self.constant(&parameter.value) {
-                self.known.push((parameter.name.value.clone(), Meaning::Parameter(value)));
-            } else {
-                // Already reported; a stand-in keeps its uses from being reported too.
-                self.known.push((parameter.name.value.clone(), Meaning::Parameter(Constant::one())));
-            }
+        for (place, parameter) in self.spec.parameters.iter().enumerate() {
+            // When it is wrong and reported, a stand-in keeps its uses from being reported too.
+            let value = self.constant(&parameter.value).unwrap_or_else(Constant::one);
+            self.known[place].1 = Meaning::Parameter(value);
         }
     }
 
@@ -292,10 +309,11 @@ impl Reading<'_> {
 
     /// Names of a plant by matrices: all given, or `x1`, `x2`, …
     fn fit(&mut self, names: &mut Vec<String>, count: usize, letter: &str, table: &str, what: &str) {
-        if names.is_empty() {
-            names.extend((1..=count).map(|i| format!("{letter}{i}")));
-        } else if names.len() != count {
-            let message = format!("[{table}] names {}, but there are {count} {what}", names.len());
+        let named = names.len();
+        names.truncate(count);
+        names.extend((named + 1..=count).map(|i| format!("{letter}{i}")));
+        if named != 0 && named != count {
+            let message = format!("[{table}] names {named}, but there are {count} {what}");
             let span = self.spec.matrices.as_ref().map_or(0..0, |m| m.span.clone());
             self.found.push(Diagnostic::error(codes::SHAPE, span, message).help("name all of them, or none"));
         }
@@ -321,32 +339,34 @@ impl Reading<'_> {
 
     fn positive(&mut self, quantity: &Quantity, what: &str) -> Option<Constant> {
         let value = self.constant(quantity)?;
-        self.not_below_zero(&value, quantity, what, false).then_some(value)
+        self.not_below_zero(&value, quantity, what, false, "write the seconds between two calls").then_some(value)
     }
 
-    fn not_below_zero(&mut self, value: &Constant, quantity: &Quantity, what: &str, zero_is_fine: bool) -> bool {
+    fn not_below_zero(&mut self, value: &Constant, quantity: &Quantity, what: &str, zero_is_fine: bool, help: &str) -> bool {
         let number = value.to_f64().unwrap_or(f64::NAN);
         if number > 0.0 || (zero_is_fine && number == 0.0) {
             return true;
         }
-        let message = format!("{what} must be {}, not {number}", if zero_is_fine { "at least 0" } else { "above 0" });
-        self.found.push(Diagnostic::error(codes::BAD_NUMBER, quantity.span(), message).measured(number));
+        let wanted = if zero_is_fine { "at least 0" } else { "above 0" };
+        let message = format!("{what} must be {wanted}, not {}", decimal::show(number));
+        let error = Diagnostic::error(codes::BAD_NUMBER, quantity.span(), message).measured(number);
+        self.found.push(error.help(help));
         false
     }
 
-    fn at_least_zero(&mut self, quantity: Option<&Quantity>, what: &str) -> Option<Option<Constant>> {
+    fn at_least_zero(&mut self, quantity: Option<&Quantity>, what: &str, help: &str) -> Option<Option<Constant>> {
         let Some(quantity) = quantity else { return Some(None) };
         let value = self.constant(quantity)?;
-        self.not_below_zero(&value, quantity, what, true).then_some(Some(value))
+        self.not_below_zero(&value, quantity, what, true, help).then_some(Some(value))
     }
 
     fn bound(&mut self, disturbance: &spec::Disturbance) -> Option<Constant> {
-        self.at_least_zero(disturbance.bound.as_ref(), "the bound of a disturbance")?
+        self.at_least_zero(disturbance.bound.as_ref(), "the bound of a disturbance", "write its largest magnitude")?
     }
 
     fn output(&mut self, output: &spec::Output) -> Option<Output> {
-        let noise = self.at_least_zero(output.noise.as_ref(), "the bound of the noise");
-        let delay = self.at_least_zero(output.delay.as_ref(), "a delay");
+        let noise = self.at_least_zero(output.noise.as_ref(), "the bound of the noise", "write its largest magnitude");
+        let delay = self.at_least_zero(output.delay.as_ref(), "a delay", "write by how many seconds the measurement is late");
         let range = self.range(output);
         let delay = delay?.filter(|d| !d.is_zero()).zip(output.delay.as_ref().map(Quantity::span));
         let equation = output.value.as_ref().map(one_line).unwrap_or_default();
@@ -362,7 +382,7 @@ impl Reading<'_> {
         if values.0 < values.1 {
             return Some(Some((low, high)));
         }
-        let message = format!("the range from {} to {} is empty", values.0, values.1);
+        let message = format!("the range from {} to {} is empty", decimal::show(values.0), decimal::show(values.1));
         self.found.push(Diagnostic::error(codes::BAD_NUMBER, span.clone(), message).help("write `range = [lowest, highest]`"));
         None
     }
@@ -370,12 +390,13 @@ impl Reading<'_> {
     fn by_matrices(&mut self, shape: &Shape) -> Option<Parts> {
         let matrices = self.spec.matrices.clone().unwrap_or_else(|| unreachable!("called for a plant by matrices"));
         let (n, m, p) = (shape.states.len(), shape.inputs.len(), shape.outputs.len());
-        let a = self.matrix(matrices.a.as_ref()?, n, n, "A");
+        self.refuse_in_matrices();
+        // The shape of the others follows from that of A.
+        let a = self.matrix(matrices.a.as_ref()?, n, n, "A")?;
         let b = matrices.b.as_ref().map_or(Some(vec![Vec::new(); n]), |b| self.matrix(b, n, m, "B"));
         let c = self.matrix(matrices.c.as_ref()?, p, n, "C");
-        self.refuse_in_matrices();
         Some(Parts {
-            a: a?,
+            a,
             b: b?,
             c: c?,
             offset: vec![Constant::default(); n],
@@ -401,9 +422,18 @@ impl Reading<'_> {
         let widths: BTreeSet<usize> = rows.iter().map(Vec::len).collect();
         if rows.len() != height || widths != BTreeSet::from([width]) || height == 0 || width == 0 {
             let list: Vec<String> = widths.iter().map(usize::to_string).collect();
-            let message = format!("{letter} must be {height} x {width}");
-            let label = format!("this has {} rows of {}", rows.len(), list.join(" or "));
-            self.found.push(Diagnostic::error(codes::SHAPE, span.clone(), message).label(label));
+            let (message, help) = match letter {
+                _ if height == 0 || width == 0 => (format!("{letter} is empty"), "write a list of rows, such as `[[0, 1], [0, 0]]`"),
+                "A" => ("A must be square".into(), "A has one row and one column per state"),
+                "B" => (format!("B must be {height} x {width}"), "B has one row per state and one column per input"),
+                _ => (format!("{letter} must be {height} x {width}"), "C has one row per output and one column per state"),
+            };
+            let plural = if rows.len() == 1 { "" } else { "s" };
+            let label = match list.as_slice() {
+                [] => "this has no rows".to_owned(),
+                list => format!("this has {} row{plural} of {}", rows.len(), list.join(" or ")),
+            };
+            self.found.push(Diagnostic::error(codes::SHAPE, span.clone(), message).label(label).help(help));
             return None;
         }
         let rows: Vec<Option<Vec<Constant>>> = rows
@@ -416,15 +446,14 @@ impl Reading<'_> {
         rows.into_iter().collect()
     }
 
-    fn by_equations(&mut self) -> Option<Parts> {
+    fn by_equations(&mut self, late: &[bool]) -> Option<Parts> {
         let spec = self.spec;
         let c: Vec<Option<Vec<Constant>>> = spec.outputs.iter().map(|o| self.output_row(o.value.as_ref()?)).collect();
         let rights: Vec<Option<Node>> =
             spec.states.iter().map(|s| s.change.as_ref().and_then(|text| self.node(text))).collect();
         let c: Vec<Vec<Constant>> = c.into_iter().collect::<Option<_>>()?;
         let rights: Vec<Node> = rights.into_iter().collect::<Option<_>>()?;
-        let delayed: Vec<bool> = spec.outputs.iter().map(|o| o.delay.is_some()).collect();
-        let measurable = split::Measurable::new(&c, &delayed);
+        let measurable = split::Measurable::new(&c, late);
         let sizes = split::Sizes {
             states: spec.states.len(),
             inputs: spec.inputs.len(),
@@ -452,16 +481,19 @@ impl Reading<'_> {
                 }
                 _ => {
                     let message = "an output must be linear in the states";
-                    let what = split::describe(&varying, &self.known);
+                    let what = split::shortened(split::describe(&varying, &self.known));
                     let label = if what.is_empty() { "this adds a constant".to_owned() } else { format!("this contains `{what}`") };
-                    let error = Diagnostic::error(codes::OUTPUT_NOT_LINEAR, node.span.clone(), message).label(label);
-                    self.found.push(error.help("measure the states, and subtract what is known before the call"));
+                    let span = split::culprit(&node, &varying, varying.symbols().first().copied());
+                    let error = Diagnostic::error(codes::OUTPUT_NOT_LINEAR, span, message).label(label);
+                    let help = "write a sum of states with constant factors; undo offsets and curves of the sensor before the call";
+                    self.found.push(error.help(help));
                     return None;
                 }
             }
         }
         if row.iter().all(Poly::is_zero) {
-            self.found.push(Diagnostic::error(codes::OUTPUT_NOT_LINEAR, node.span, "this output shows no state"));
+            let error = Diagnostic::error(codes::OUTPUT_NOT_LINEAR, node.span, "this output shows no state");
+            self.found.push(error.label("everything in it cancels").help("write a sum of states with constant factors"));
             return None;
         }
         self.constants(row, &text.span)
@@ -540,7 +572,15 @@ impl Reading<'_> {
 fn read_expression(text: &Text, known: &[(String, Meaning)], found: &mut Vec<Diagnostic>) -> Option<Node> {
     let place = |within: Range<usize>| text.place(within);
     match parse::parse(&text.value) {
-        Ok(expr) => resolve(&expr, &Names { known, place: &place }, found),
+        Ok(expr) => {
+            let node = resolve(&expr, &Names { known, place: &place }, found)?;
+            let mut exist = true;
+            node.visit_constants(&mut |part| {
+                let constant = Constant::try_from(part.poly.clone());
+                exist &= constant.is_ok_and(|constant| exists(&constant, &part.span, found));
+            });
+            exist.then_some(node)
+        }
         Err(error) => {
             let mut diagnostic = Diagnostic::error(codes::EXPRESSION_SYNTAX, place(error.span), error.message);
             diagnostic.help = error.help;
@@ -571,10 +611,13 @@ fn read_constant(quantity: &Quantity, known: &[(String, Meaning)], found: &mut V
 fn exists(constant: &Constant, span: &Range<usize>, found: &mut Vec<Diagnostic>) -> bool {
     let why = match constant.to_f64() {
         Err(error) => error.0,
-        Ok(value) if value.is_infinite() => "the value is beyond the range of a double".to_owned(),
+        Ok(value) if value.is_infinite() => "beyond 1.8e308, where a double ends".to_owned(),
         Ok(_) => return true,
     };
-    found.push(Diagnostic::error(codes::DOMAIN, span.clone(), "this constant has no usable value").label(why));
+    // A part that was reported already spoils what it is part of.
+    if !found.iter().any(|d| d.code == codes::DOMAIN && span.start <= d.labels[0].span.start && d.labels[0].span.end <= span.end) {
+        found.push(Diagnostic::error(codes::DOMAIN, span.clone(), "this constant has no usable value").label(why));
+    }
     false
 }
 
@@ -591,6 +634,14 @@ fn label(named: &Named) -> Label {
         unit: named.unit.clone(),
         doc: named.doc.clone(),
         span: named.name.span.clone(),
+    }
+}
+
+/// A parameter with its value; those come first among the known names, in the same order.
+fn parameter((written, (_, meaning)): (&spec::Parameter, &(String, Meaning))) -> Option<Parameter> {
+    match meaning {
+        Meaning::Parameter(value) => Some(Parameter { label: label(&written.named), value: value.clone() }),
+        _ => None,
     }
 }
 

@@ -60,8 +60,8 @@ impl Quantity {
 /// A named number.
 #[derive(Clone, Debug)]
 pub struct Parameter {
-    /// The name with its place.
-    pub name: Text,
+    /// Name, unit, documentation.
+    pub named: Named,
     /// The number.
     pub value: Quantity,
 }
@@ -235,7 +235,12 @@ fn read(source: &Source, settings: Settings, found: &Found) -> Option<Spec> {
     let (document, errors) = DeTable::parse_recoverable(&source.text);
     for error in &errors {
         let span = error.span().unwrap_or(0..0);
-        found.borrow_mut().push(Diagnostic::error(codes::SYNTAX, span, error.message().replace('\n', ", ")));
+        let message = error.message().replace('\n', ", ");
+        let (help, ends) = syntax_help(&message);
+        found.borrow_mut().push(Diagnostic::error(codes::SYNTAX, span, message).help(help));
+        if ends {
+            break;
+        }
     }
     if !errors.is_empty() {
         return None;
@@ -275,6 +280,21 @@ fn read(source: &Source, settings: Settings, found: &Found) -> Option<Spec> {
     };
     check_names(&spec, found);
     Some(spec)
+}
+
+/// What to do about a message of the TOML reader; and whether what it says of the rest of the file
+/// follows from this one mistake.
+fn syntax_help(message: &str) -> (&'static str, bool) {
+    let has = |words: &[&str]| words.iter().any(|word| message.contains(word));
+    if has(&["duplicate key"]) {
+        ("remove or rename one of them", false)
+    } else if has(&["must be quoted"]) {
+        ("write numbers without a unit, and text in quotes", false)
+    } else if has(&["literal string", "basic string"]) {
+        ("begin and end it with the same quote on one line", true)
+    } else {
+        ("check the quotes, brackets and commas here and on the line before", true)
+    }
 }
 
 fn read_version(top: &mut Table) {
@@ -318,20 +338,21 @@ fn read_parameters(top: &mut Table) -> Vec<Parameter> {
     let Some(mut table) = top.table("parameters", "[parameters]") else { return Vec::new() };
     let mut parameters = Vec::new();
     for (name, value) in table.entries() {
-        let value = if matches!(value.get_ref(), DeValue::Table(_)) {
+        check_identifier(&table, &name);
+        let parameter = if matches!(value.get_ref(), DeValue::Table(_)) {
             let Some(mut entry) = table.entry_table(&name, value) else { continue };
             let number = entry.quantity("value");
             if number.is_none() && !entry.has("value") {
                 entry.missing("value", "write `value = …`");
             }
-            let _ = (line(&mut entry, "unit"), line(&mut entry, "doc"));
+            let named = read_named(name, &mut entry);
             entry.finish();
-            number
+            number.map(|value| Parameter { named, value })
         } else {
-            table.entry_quantity(&name, value)
+            let named = Named { unit: String::new(), doc: String::new(), name: name.clone() };
+            table.entry_quantity(&name, value).map(|value| Parameter { named, value })
         };
-        check_identifier(&table, &name);
-        parameters.extend(value.map(|value| Parameter { name, value }));
+        parameters.extend(parameter);
     }
     parameters
 }
@@ -370,7 +391,8 @@ fn read_states(top: &mut Table, matrices: Option<&Matrices>) -> (Vec<State>, boo
         states.push(State { named, change, initial });
     }
     if states.is_empty() && matrices.is_none() {
-        table.missing("a state", "write one line per state: `q = { unit = \"rad\", derivative = '…' }`");
+        let error = Diagnostic::error(codes::MISSING_KEY, table.span(), "[states] is empty");
+        table.report(error.help("write one line per state: `q = { unit = \"rad\", derivative = '…' }`"));
     }
     if let [Some(derivative), Some(next)] = &kinds {
         let message = "some states have `derivative` and some `next`";
@@ -386,7 +408,10 @@ fn read_states(top: &mut Table, matrices: Option<&Matrices>) -> (Vec<State>, boo
 fn read_change(entry: &mut Table, matrices: Option<&Matrices>, kinds: &mut [Option<Range<usize>>; 2]) -> Option<Text> {
     let (derivative, next) = (entry.text("derivative"), entry.text("next"));
     for (kind, text) in kinds.iter_mut().zip([&derivative, &next]) {
-        if let Some(text) = text {
+        if let Some(text) = text
+            // Both at once is a mistake of its own.
+            && !(derivative.is_some() && next.is_some())
+        {
             kind.get_or_insert_with(|| text.span.clone());
         }
     }
@@ -499,7 +524,8 @@ fn read_observer(top: &mut Table) -> Option<Observer> {
     let known = || method::METHODS.iter().map(|m| m.name);
     match entries.as_slice() {
         [] => {
-            table.missing("a method", "write `[observer.window]` with `window = …` s, or another method (`deadbeat list`)");
+            let error = Diagnostic::error(codes::MISSING_KEY, table.span(), "[observer] names no method");
+            table.report(error.help("write `[observer.window]` with `window = …` s, or another method (`deadbeat list`)"));
             None
         }
         [(name, value)] => {
@@ -569,8 +595,8 @@ fn check_name(table: &Table, name: &Text, role: &str) {
         let message = format!("the {role} `{}` is not in snake_case", value.escape_debug());
         report(message, format!("generated fields carry it: write `{}`", names::snake_case(value)));
     } else if value.len() > LONGEST {
-        report(format!("the {role} `{value}` has {} letters", value.len()), format!("at most {LONGEST} are portable"));
-    } else if let Some(why) = names::reserved(value) {
+        report(format!("the {role} `{value}` has {} letters", value.len()), format!("at most {LONGEST}, since C compilers may ignore what follows the 63rd of a longer symbol"));
+    } else if let Some(why) = if role == "name" { names::reserved_for_a_file(value) } else { names::reserved(value) } {
         report(format!("the {role} `{value}` is {why}"), "choose another name".into());
     } else if role != "name" && role != "output" {
         check_identifier(table, name);
@@ -579,7 +605,7 @@ fn check_name(table: &Table, name: &Text, role: &str) {
 
 /// Names that expressions share must differ; so must those of one generated struct.
 fn check_names(spec: &Spec, found: &Found) {
-    let parameters = spec.parameters.iter().map(|p| &p.name);
+    let parameters = spec.parameters.iter().map(|p| &p.named.name);
     let states = spec.states.iter().map(|s| &s.named.name);
     let inputs = spec.inputs.iter().map(|i| &i.named.name);
     let unknowns = spec.unknowns.iter().map(|u| &u.name);

@@ -7,17 +7,16 @@
 
 pub mod certificate;
 pub mod lower;
+pub mod minimax;
 pub mod model;
+pub mod samples;
 pub mod settle;
 pub mod solve;
 
 use std::ops::Range;
 
 use crate::design::Settled;
-use crate::diagnostic::{Diagnostic, codes};
-use crate::expr::Constant;
-use crate::plant::Plant;
-use crate::real::Precision;
+pub use samples::{count, seconds, trimmed, whole_samples};
 
 /// A functional whose weights have settled.
 #[derive(Clone, Debug)]
@@ -129,67 +128,4 @@ impl Part {
             Self::Runs | Self::End => 0,
         }
     }
-}
-
-/// A time as a whole number of samples; `None` after reporting that it is not one.
-pub fn whole_samples(
-    time: &Constant,
-    span: &Range<usize>,
-    what: &str,
-    plant: &Plant,
-    found: &mut Vec<Diagnostic>,
-) -> Option<usize> {
-    const MOST: i64 = 20_000;
-    let h = &plant.sample_time.0;
-    let samples = match (time.as_rational(), h.as_rational()) {
-        (Some(time), Some(h)) => Some(time / h).filter(|n| n.is_int()).map(|n| n.to_f64().value()),
-        _ => nearly_whole(time, h),
-    };
-    let seconds = time.to_f64().unwrap_or(f64::NAN);
-    let ratio = seconds / plant.sample_time_s();
-    match samples {
-        Some(n) if n >= 0.0 && n <= MOST as f64 => Some(n as usize),
-        Some(n) => {
-            let message = format!("{what} has {n} samples");
-            let error = Diagnostic::error(codes::WINDOW_TOO_LONG, span.clone(), message).measured(n);
-            found.push(error.label(format!("at most {MOST} are designed")).help("a longer sample time, or a shorter time"));
-            None
-        }
-        None => {
-            let message = format!("{what} is not a whole number of samples");
-            let (below, above) = (ratio.floor(), ratio.ceil());
-            let h = plant.sample_time_s();
-            let error = Diagnostic::error(codes::NOT_WHOLE, span.clone(), message)
-                .label(format!("{} samples of {h} s", trimmed(ratio)))
-                .measured(ratio);
-            found.push(error.help(format!("{} s has {below} samples, {} s has {above}", trimmed(below * h), trimmed(above * h))));
-            None
-        }
-    }
-}
-
-/// A count as a number for messages.
-#[expect(clippy::cast_precision_loss, reason = "counts of samples are small")]
-pub fn count(value: usize) -> f64 {
-    value as f64
-}
-
-/// The length of some samples.
-pub fn seconds(samples: usize, sample_time_s: f64) -> f64 {
-    count(samples) * sample_time_s
-}
-
-/// Up to nine significant digits, for messages.
-pub fn trimmed(value: f64) -> f64 {
-    format!("{value:.8e}").parse().unwrap_or(value)
-}
-
-/// The ratio of two constants that are not both rational, when it is whole to 30 digits.
-fn nearly_whole(time: &Constant, h: &Constant) -> Option<f64> {
-    let precision = Precision::bits(256);
-    let ratio = time.evaluate(precision).ok()?.checked_div(&h.evaluate(precision).ok()?).ok()?;
-    let nearest = ratio.to_f64().round();
-    let whole = crate::real::Real::from_f64(nearest, precision)?;
-    let distance = &ratio - &whole;
-    (distance.is_zero() || distance.log2_abs() < -100.0).then_some(nearest)
 }

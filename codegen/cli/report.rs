@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use deadbeat_codegen::describe::{self, short};
+use deadbeat_codegen::plant::modes::modes;
 use deadbeat_codegen::program::cost::{Cost, cost};
 use deadbeat_codegen::{Generated, Language, VERSION, Source};
 use serde_json::{Map, Value, json};
@@ -35,6 +36,7 @@ pub fn json(generated: &Generated) -> Value {
         "sample_time": plant.sample_time_s(),
         "window_steps": design.window_steps,
         "valid_from_step": design.valid_from_step,
+        "modes": modes(plant),
         "constants": constants,
         "fir": fir,
         "certificate": {
@@ -79,6 +81,14 @@ pub fn text(generated: &Generated) -> String {
         short(numerics.condition),
         numerics.unbiasedness
     );
+    let mode = |(re, im): &(f64, f64)| match *im {
+        0.0 => short(*re),
+        im => format!("{}{}{}i", short(*re), if im < 0.0 { "-" } else { "+" }, short(im.abs())),
+    };
+    if let Some(modes) = modes(&generated.plant) {
+        let list: Vec<String> = modes.iter().map(mode).collect();
+        let _ = writeln!(text, "Modes        {}", list.join(", "));
+    }
     for matrix in &design.constants {
         let _ = writeln!(text, "\n{}", matrix.letter);
         for row in &matrix.rows {

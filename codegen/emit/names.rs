@@ -44,9 +44,7 @@ impl Names {
 
     /// A fragment of the runtime's C source with this prefix in place of its own.
     pub fn adopt(&self, source: &str) -> String {
-        source
-            .replace("deadbeat_", &format!("{}_", self.lower))
-            .replace("DEADBEAT_", &format!("{}_", self.upper))
+        source.replace("deadbeat_", &format!("{}_", self.lower)).replace("DEADBEAT_", &format!("{}_", self.upper))
     }
 }
 
@@ -145,14 +143,8 @@ mod tests {
     /// Claim: no name in the proposed form is refused for its form again.
     #[test]
     fn proposes_snake_case() {
-        let cases = [
-            ("dTheta", "d_theta"),
-            ("Motor-1", "motor_1"),
-            ("_x__y_", "x_y"),
-            ("2nd", "x2nd"),
-            ("I", "i"),
-            ("", "x"),
-        ];
+        let cases =
+            [("dTheta", "d_theta"), ("Motor-1", "motor_1"), ("_x__y_", "x_y"), ("2nd", "x2nd"), ("I", "i"), ("", "x")];
         for (name, snake) in cases {
             assert_eq!(snake_case(name), snake);
         }

@@ -1,10 +1,13 @@
 //! Rust: the file, or its items as tokens.
 
 mod constant;
+mod function;
+mod index;
 mod item;
 mod layout;
 mod operation;
 mod statement;
+mod table;
 
 use proc_macro2::{Ident, Span, TokenStream};
 

@@ -98,9 +98,7 @@ fn fit<'a>(
 /// A statement in one piece.
 fn whole(statement: &Statement) -> Item<'_> {
     match statement {
-        Statement::Loop(source) => {
-            Item::Loop { source, items: source.body.iter().map(whole).collect() }
-        }
+        Statement::Loop(source) => Item::Loop { source, items: source.body.iter().map(whole).collect() },
         plain => Item::Plain(plain),
     }
 }
@@ -131,9 +129,7 @@ fn cut(statements: &[Statement]) -> usize {
         return fitting;
     }
     let is_work = |statement: &Statement| lines(statement) > 0;
-    let section = (1..=fitting)
-        .rev()
-        .find(|at| is_heading(&statements[*at]) && statements[..*at].iter().any(is_work));
+    let section = (1..=fitting).rev().find(|at| is_heading(&statements[*at]) && statements[..*at].iter().any(is_work));
     let alone = if statements[..fitting].iter().any(is_work) { fitting } else { fitting + 1 };
     section.unwrap_or(alone)
 }
@@ -152,4 +148,80 @@ fn lines(statement: &Statement) -> usize {
 /// The lines of a loop around its body.
 fn frame(source: &Loop) -> usize {
     2 + 2 * source.carried.len()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::program::builder::Builder;
+    use crate::program::{Field, Scalar, Status};
+
+    /// A chain of additions and products.
+    fn chain(b: &mut Builder, start: Value, length: usize) -> Value {
+        (0..length).fold(start, |x, at| if at % 2 == 0 { b.add(x, start) } else { b.mul(x, start) })
+    }
+
+    /// A Program with sections of these lengths and a loop whose body has that many operations.
+    fn program(sections: &[usize], body: usize) -> Program {
+        let field = || Field { name: "y".to_owned(), unit: String::new(), doc: String::new() };
+        let mut b = Builder::new("long", Scalar::F64, 1.0);
+        let y = b.measurement(field());
+        let table = b.table("GAINS", "", vec!["gain".to_owned()], vec![vec![0.5]; 3]);
+        let mut x = b.read_measurement(y);
+        for length in sections {
+            b.section("a section");
+            x = chain(&mut b, x, *length);
+        }
+        b.section("the loop");
+        let ends = b.loop_over(table, &[x], |b, carried| {
+            let gain = b.gain(0);
+            let product = b.mul(gain, carried[0]);
+            vec![chain(b, product, body)]
+        });
+        b.estimate(field(), ends[0]);
+        let status = b.status(Status::Converged);
+        b.report(status);
+        b.finish()
+    }
+
+    /// The values in the order in which the functions define them.
+    fn order(functions: &[Function], items: &[Item], values: &mut Vec<Value>) {
+        for item in items {
+            values.extend(item.defines());
+            match item {
+                Item::Plain(_) => {}
+                Item::Loop { items, .. } => order(functions, items, values),
+                Item::Call(callee) => order(functions, &functions[*callee].items, values),
+            }
+        }
+    }
+
+    /// Claim: whatever the lengths, no function is longer than its room, and the calls run every
+    /// statement once and in order.
+    #[test]
+    fn keeps_order_and_room() {
+        for sections in [&[3][..], &[40, 30, 60], &[300, 2, 89], &[1, 1, 1, 200]] {
+            for body in [4, 85, 95, 400] {
+                let program = program(sections, body);
+                let functions = functions(&program);
+                let length = |items: &[Item]| items.iter().map(height).sum::<usize>();
+                assert!(functions.iter().all(|it| length(&it.items) <= ROOM), "{sections:?} {body}");
+                let mut values = vec![];
+                order(&functions, &functions[functions.len() - 1].items, &mut values);
+                assert_eq!(values.len(), sections.iter().sum::<usize>() + body + 5);
+                assert!(values.is_sorted(), "{values:?}");
+                let total = program.body.iter().map(lines).sum::<usize>();
+                assert_eq!(functions.len() == 1, total <= ROOM - 4);
+            }
+        }
+    }
+
+    /// The lines of an item.
+    fn height(item: &Item) -> usize {
+        match item {
+            Item::Plain(statement) => lines(statement),
+            Item::Loop { source, items } => frame(source) + items.iter().map(height).sum::<usize>(),
+            Item::Call(_) => 1,
+        }
+    }
 }

@@ -64,21 +64,19 @@ impl Interval {
         if self.contains_zero() { Self::ALL } else { Self::new(1.0 / self.high, 1.0 / self.low) }
     }
 
-    fn power(self, exponent: u32) -> Self {
-        let mut product = Self::point(1.0);
-        if exponent % 2 == 0 {
-            let square = self.magnitude() * self.magnitude();
-            let least = if self.contains_zero() { 0.0 } else { self.low.abs().min(self.high.abs()) };
-            let square = Self::new(least * least, square);
-            for _ in 0..exponent / 2 {
-                product = product.times(square);
+    /// Of a whole power; by squaring, since exponents reach 2^31.
+    #[must_use]
+    pub fn power(self, exponent: u32) -> Self {
+        match exponent {
+            0 => Self::point(1.0),
+            1 => self,
+            _ => {
+                let half = self.power(exponent / 2);
+                let least = if half.contains_zero() { 0.0 } else { half.low.abs().min(half.high.abs()) };
+                let square = Self::new(least * least, half.magnitude() * half.magnitude());
+                if exponent.is_multiple_of(2) { square } else { square.times(self) }
             }
-            return product;
         }
-        for _ in 0..exponent {
-            product = product.times(self);
-        }
-        product
     }
 
     /// Of a rising function; bounds at which it has no value are dropped.
@@ -123,9 +121,8 @@ fn enclose_call(function: Function, ranges: &[Interval]) -> Interval {
     let x = ranges[0];
     let (half_pi, pi) = (std::f64::consts::FRAC_PI_2, std::f64::consts::PI);
     match function {
-        Function::Sin | Function::Cos => Interval::new(-1.0, 1.0),
+        Function::Sin | Function::Cos | Function::Sign => Interval::new(-1.0, 1.0),
         Function::Tanh => x.rising(math::tanh_f64, Interval::new(-1.0, 1.0)),
-        Function::Sign => Interval::new(-1.0, 1.0),
         Function::Atan => x.rising(math::atan_f64, Interval::new(-half_pi, half_pi)),
         Function::Asin => x.rising(math::asin_f64, Interval::new(-half_pi, half_pi)),
         Function::Acos => Interval::new(0.0, pi),

@@ -26,6 +26,8 @@ pub struct Names<'a> {
 pub enum Meaning {
     /// A constant.
     Parameter(Constant),
+    /// A parameter whose line comes later, so that it has no value yet.
+    Later,
     /// Something that varies.
     Symbol(Symbol),
 }
@@ -79,18 +81,24 @@ fn fold(node: Node) -> Node {
 fn resolve_name(name: &str, expr: &Expr, names: &Names, found: &mut Vec<Diagnostic>) -> Option<Node> {
     let span = (names.place)(expr.span.clone());
     let symbol = |symbol| Node { kind: NodeKind::Symbol(symbol), poly: Atom::Symbol(symbol).into(), span: span.clone() };
-    if let Some((_, meaning)) = names.known.iter().find(|(known, _)| known == name) {
-        return Some(match meaning {
-            Meaning::Parameter(value) => Node { kind: NodeKind::Constant, poly: value.poly().clone(), span },
-            Meaning::Symbol(which) => symbol(*which),
-        });
+    let known = names.known.iter().find(|(known, _)| known == name);
+    let mistake = match (known, name) {
+        (Some((_, Meaning::Parameter(value))), _) => {
+            return Some(Node { kind: NodeKind::Constant, poly: value.poly().clone(), span });
+        }
+        (Some((_, Meaning::Symbol(which))), _) => return Some(symbol(*which)),
+        (None, "t") => return Some(symbol(Symbol::Time)),
+        (None, "pi") => return Some(Node { kind: NodeKind::Constant, poly: Atom::Pi.into(), span }),
+        (Some((_, Meaning::Later)), _) => {
+            Diagnostic::error(codes::UNKNOWN_NAME, span, format!("`{name}` has no value yet"))
+                .help(format!("a parameter uses those above it: move the line of `{name}` up"))
+        }
+        (None, _) => unknown_name(name, span, names),
+    };
+    // A missing declaration is one mistake, however often the name is used.
+    if !found.iter().any(|other| other.code == mistake.code && other.message == mistake.message) {
+        found.push(mistake);
     }
-    match name {
-        "t" => return Some(symbol(Symbol::Time)),
-        "pi" => return Some(Node { kind: NodeKind::Constant, poly: Atom::Pi.into(), span }),
-        _ => {}
-    }
-    found.push(unknown_name(name, span, names));
     None
 }
 
@@ -120,6 +128,10 @@ fn resolve_sum(terms: &[(bool, Expr)], expr: &Expr, names: &Names, found: &mut V
 
 fn resolve_product(factors: &[(bool, Expr)], expr: &Expr, names: &Names, found: &mut Vec<Diagnostic>) -> Option<Node> {
     let nodes = resolve_parts(factors, names, found)?;
+    if let Some((_, zero)) = nodes.iter().find(|(divided, node)| *divided && node.poly.is_zero()) {
+        found.push(division_by_zero(&zero.span));
+        return None;
+    }
     let mut total = Ok(Poly::from(RBig::ONE));
     for (divided, node) in &nodes {
         let factor = if *divided { node.poly.reciprocal() } else { Ok(node.poly.clone()) };
@@ -172,7 +184,8 @@ fn resolve_call(name: &str, arguments: &[Expr], expr: &Expr, names: &Names, foun
     if arity != nodes.len() {
         let plural = if arity == 1 { "" } else { "s" };
         let message = format!("`{name}` takes {arity} argument{plural}, {} given", nodes.len());
-        found.push(Diagnostic::error(codes::EXPRESSION_SYNTAX, span, message));
+        let write = if arity == 1 { format!("`{name}(a)`") } else { format!("`{name}(a, b)`") };
+        found.push(Diagnostic::error(codes::EXPRESSION_SYNTAX, span, message).help(format!("write {write}")));
         return None;
     }
     Some(call(function, nodes.into_iter().collect::<Option<_>>()?, span))
@@ -183,6 +196,15 @@ fn unknown_function(name: &str, span: Range<usize>, names: &Names) -> Diagnostic
     let diagnostic = Diagnostic::error(codes::UNKNOWN_NAME, span, format!("there is no function `{name}`"));
     if names.known.iter().any(|(known, _)| known == name) {
         return diagnostic.help(format!("`{name}` is a quantity: write `{name}*(…)` for a product"));
+    }
+    let other_spelling = match name {
+        "pow" => Some("write powers with `^`: `a^b`"),
+        "ln" => Some("the natural logarithm is `log`"),
+        "fabs" => Some("the magnitude is `abs`"),
+        _ => None,
+    };
+    if let Some(help) = other_spelling {
+        return diagnostic.help(help);
     }
     match nearest(name, choices.clone()) {
         Some(close) => diagnostic.help(format!("did you mean `{close}`?")),
@@ -199,13 +221,32 @@ fn call(function: Function, arguments: Vec<Node>, span: Range<usize>) -> Node {
 fn refuse(result: Result<Poly, PolyError>, span: &Range<usize>, found: &mut Vec<Diagnostic>) -> Option<Poly> {
     let error = match result {
         Ok(poly) => return Some(poly),
-        Err(PolyError::DivisionByZero) => Diagnostic::error(codes::DOMAIN, span.clone(), "a division by zero"),
+        Err(PolyError::DivisionByZero) => division_by_zero(span),
         Err(PolyError::TooLarge(what)) => {
-            Diagnostic::error(codes::TOO_LARGE, span.clone(), "the expression is too large to expand").label(what)
+            Diagnostic::error(codes::TOO_LARGE, span.clone(), "the expression is too large to expand")
+                .label(what)
+                .help("a smaller power or fewer factors; sums are multiplied out to find what is linear in them")
         }
     };
     found.push(error);
     None
+}
+
+fn division_by_zero(span: &Range<usize>) -> Diagnostic {
+    Diagnostic::error(codes::DOMAIN, span.clone(), "a division by zero").label("this is 0")
+}
+
+impl Node {
+    /// Visits the largest subtrees in which nothing varies.
+    pub fn visit_constants(&self, visit: &mut dyn FnMut(&Self)) {
+        match &self.kind {
+            NodeKind::Constant => visit(self),
+            NodeKind::Symbol(_) => {}
+            NodeKind::Sum(parts) | NodeKind::Product(parts) => parts.iter().for_each(|(_, part)| part.visit_constants(visit)),
+            NodeKind::Power(base, _) => base.visit_constants(visit),
+            NodeKind::Call(_, arguments) => arguments.iter().for_each(|a| a.visit_constants(visit)),
+        }
+    }
 }
 
 impl Node {

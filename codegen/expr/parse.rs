@@ -10,11 +10,15 @@ use syn::parse::{ParseStream, Parser};
 use syn::{Ident, Lit, Token, token};
 
 use crate::decimal;
+use crate::diagnostic::floor_boundary;
 
 /// Longest expression, in bytes; a plant with more should be given by matrices.
 const MAX_LENGTH: usize = 4_096;
 /// Deepest nesting of parentheses, signs and powers together.
 const MAX_DEPTH: usize = 48;
+
+/// Stands between a message and its help, since an error of `syn` carries one text.
+const HELP: char = '\n';
 
 /// A syntax tree with its place in the expression's text.
 #[derive(Clone, Debug)]
@@ -63,10 +67,14 @@ pub fn parse(text: &str) -> Result<Expr, ParseError> {
         let expr = sum(input, &depth)?;
         if input.is_empty() { Ok(expr) } else { Err(unexpected(input)) }
     };
-    parser.parse_str(text).map_err(|error| ParseError {
-        span: clamp(error.span(), text),
-        message: error.to_string(),
-        help: None,
+    parser.parse_str(text).map_err(|error| {
+        let whole = error.to_string();
+        let (message, help) = whole.split_once(HELP).map_or((whole.as_str(), None), |(message, help)| (message, Some(help)));
+        let message = match message {
+            "cannot parse string into token stream" | "lex error" => "this is neither a number nor a name nor an operator",
+            message => message,
+        };
+        ParseError { span: clamp(error.span(), text), message: message.into(), help: help.map(str::to_owned) }
     })
 }
 
@@ -76,23 +84,26 @@ fn refuse_unreadable(text: &str) -> Result<(), ParseError> {
         Err(ParseError { span, message, help: help.map(str::to_owned) })
     };
     if text.trim().is_empty() {
-        return refuse(0..text.len(), "the expression is empty".into(), None);
+        return refuse(0..text.len(), "the expression is empty".into(), Some("write 0 where nothing is added"));
     }
     if text.len() > MAX_LENGTH {
         let message = format!("the expression has {} bytes; at most {MAX_LENGTH} are read", text.len());
         return refuse(0..text.len(), message, Some("give the plant by matrices"));
     }
-    let mut depth = 0_usize;
+    let mut open = Vec::new();
     for (at, c) in text.char_indices() {
         let here = at..at + c.len_utf8();
         match c {
-            '(' => depth += 1,
-            ')' => depth = depth.saturating_sub(1),
+            '(' => open.push(here.clone()),
+            ')' if open.pop().is_none() => {
+                return refuse(here, "this parenthesis closes nothing".into(), Some("remove it, or open one before"));
+            }
+            ')' => {}
             '*' if text[at..].starts_with("**") => {
                 return refuse(at..at + 2, "`**` is not an operator".into(), Some("write powers with `^`"));
             }
             '/' if text[at..].starts_with("//") || text[at..].starts_with("/*") => {
-                return refuse(at..at + 2, "comments are not read inside an expression".into(), None);
+                return refuse(at..at + 2, "comments are not read inside an expression".into(), Some("write it behind `#`, after the expression"));
             }
             'a'..='z' | 'A'..='Z' | '0'..='9' | '_' | '.' | '+' | '-' | '*' | '/' | '^' | ',' | ' ' | '\t' | '\n' | '\r' => {}
             _ => {
@@ -100,11 +111,14 @@ fn refuse_unreadable(text: &str) -> Result<(), ParseError> {
                 return refuse(here, message, Some("names, numbers, + - * / ^ ( ) and commas are all there is"));
             }
         }
-        if depth > MAX_DEPTH {
-            return refuse(here, format!("parentheses nest deeper than {MAX_DEPTH}"), None);
+        if open.len() > MAX_DEPTH {
+            return refuse(here, format!("parentheses nest deeper than {MAX_DEPTH}"), Some("name a part of it as a parameter or a state"));
         }
     }
-    Ok(())
+    match open.pop() {
+        Some(here) => refuse(here, "this parenthesis is never closed".into(), Some("write `)` where it ends")),
+        None => Ok(()),
+    }
 }
 
 type Depth<'a> = &'a std::cell::Cell<usize>;
@@ -179,7 +193,12 @@ fn atom(input: ParseStream, depth: Depth) -> syn::Result<Expr> {
     if input.peek(Ident::peek_any) {
         return name_or_call(input, depth);
     }
-    Err(unexpected(input))
+    let message = match () {
+        () if input.is_empty() => "the expression ends where a number, a name or `(` should follow\ncomplete it, or remove the last operator",
+        () if input.peek(Token![.]) => "a number begins with a digit\nwrite 0.5 instead of .5",
+        () => "a number, a name or `(` is missing here\nremove an operator, or write what it acts on",
+    };
+    Err(syn::Error::new(input.span(), message))
 }
 
 fn number(input: ParseStream) -> syn::Result<Expr> {
@@ -188,13 +207,18 @@ fn number(input: ParseStream) -> syn::Result<Expr> {
     let (digits, suffix) = match &literal {
         Lit::Int(int) => (int.base10_digits().to_owned(), int.suffix().to_owned()),
         Lit::Float(float) => (float.base10_digits().to_owned(), float.suffix().to_owned()),
-        _ => return Err(syn::Error::new(at, "only numbers can be written here")),
+        _ => return Err(syn::Error::new(at, format!("only numbers can be written here{HELP}write 1 for true and 0 for false"))),
     };
     if !suffix.is_empty() {
-        let message = format!("a number ends before `{suffix}`; write `{digits}*{suffix}` for a product");
+        let message = format!("an operator is missing before `{suffix}`{HELP}write `{digits}*{suffix}` for a product");
         return Err(syn::Error::new(at, message));
     }
-    let value = decimal::parse(&digits).map_err(|why| syn::Error::new(at, why))?;
+    let written = at.source_text().unwrap_or_default();
+    if written.starts_with(['0']) && written[1..].starts_with(['x', 'o', 'b']) {
+        return Err(syn::Error::new(at, format!("only decimal numbers are read{HELP}write it in decimal digits")));
+    }
+    let value = decimal::parse(&digits)
+        .map_err(|why| syn::Error::new(at, format!("{why}{HELP}write a decimal number, such as 1.5e-3")))?;
     Ok(Expr { kind: Kind::Number(value), span: at.byte_range() })
 }
 
@@ -242,7 +266,8 @@ fn deeper(
     read: fn(ParseStream, Depth) -> syn::Result<Expr>,
 ) -> syn::Result<Expr> {
     if depth.get() >= MAX_DEPTH {
-        return Err(input.error(format!("signs, powers and parentheses nest deeper than {MAX_DEPTH}")));
+        let message = format!("signs, powers and parentheses nest deeper than {MAX_DEPTH}{HELP}name a part of it as a parameter or a state");
+        return Err(syn::Error::new(input.span(), message));
     }
     depth.set(depth.get() + 1);
     let result = read(input, depth);
@@ -259,10 +284,12 @@ fn flat(mut parts: Vec<(bool, Expr)>, kind: fn(Vec<(bool, Expr)>) -> Kind) -> Ex
 }
 
 fn unexpected(input: ParseStream) -> syn::Error {
-    if input.is_empty() {
-        return input.error("the expression ends where a number, a name or `(` should follow");
-    }
-    input.error("an operator is missing here")
+    let message = if input.peek(Token![,]) {
+        "a comma separates the arguments of a function, and nothing else\nwrite decimals with a point: 1.5"
+    } else {
+        "an operator is missing here\nwrite `*` for a product"
+    };
+    syn::Error::new(input.span(), message)
 }
 
 /// The span as bytes of `text`; `syn` gives the end of input an empty one.
@@ -270,7 +297,7 @@ fn clamp(span: Span, text: &str) -> Range<usize> {
     let range = span.byte_range();
     if range.end == 0 || range.start >= text.len() {
         let last = text.trim_end().len();
-        return text.floor_char_boundary(last.saturating_sub(1))..last;
+        return floor_boundary(text, last.saturating_sub(1))..last;
     }
     range.start..range.end.min(text.len())
 }

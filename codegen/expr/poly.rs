@@ -10,7 +10,8 @@ use dashu_base::{BitTest as _, Signed as _};
 use dashu_ratio::RBig;
 
 use super::{Function, Symbol};
-use crate::real::{Precision, Real};
+use crate::decimal;
+use crate::real::{Precision, Real, Undefined};
 
 /// Most monomials of one expression.
 const MAX_TERMS: usize = 400;
@@ -312,8 +313,22 @@ impl Constant {
     }
 }
 
+/// Bits of a result that rounding may have spoiled: what is smaller than its parts by all other
+/// bits is zero, at every precision alike.
+const SPOILED_BITS: i64 = 24;
+
+/// Zero, when `value` is nothing but the rounding of parts as large as `2^top`.
+fn without_rounding(value: Real, top: Option<i64>) -> Real {
+    let bits = i64::try_from(value.precision().as_bits()).unwrap_or(i64::MAX);
+    match (value.top(), top) {
+        (Some(own), Some(top)) if own < top - bits + SPOILED_BITS => Real::zero(value.precision()),
+        _ => value,
+    }
+}
+
 fn evaluate(poly: &Poly, precision: Precision) -> Result<Real, DomainError> {
     let mut sum = Real::zero(precision);
+    let mut largest = None;
     for (monomial, coefficient) in poly.terms() {
         let mut term = Real::from_rational(coefficient, precision);
         for (atom, exponent) in monomial.factors() {
@@ -323,9 +338,10 @@ fn evaluate(poly: &Poly, precision: Precision) -> Result<Real, DomainError> {
                 .map_err(|_| DomainError("a division by zero, or a power too large".into()))?;
             term = &term * &power;
         }
+        largest = largest.max(term.top());
         sum = &sum + &term;
     }
-    Ok(sum)
+    Ok(without_rounding(sum, largest))
 }
 
 fn evaluate_atom(atom: &Atom, precision: Precision) -> Result<Real, DomainError> {
@@ -337,35 +353,58 @@ fn evaluate_atom(atom: &Atom, precision: Precision) -> Result<Real, DomainError>
             .map_err(|_| DomainError("a division by zero".into())),
         Atom::Call(function, arguments) => {
             let values = arguments.iter().map(|a| evaluate(a, precision)).collect::<Result<Vec<_>, _>>()?;
-            call(*function, &values).ok_or_else(|| {
-                let shown: Vec<String> = values.iter().map(|v| v.to_f64().to_string()).collect();
-                DomainError(format!("{}({}) is not a number of a usable size", function.name(), shown.join(", ")))
+            call(*function, &values).map_err(|why| {
+                let shown: Vec<String> = values.iter().map(|v| decimal::show(v.to_f64())).collect();
+                let text = match (function, shown.as_slice()) {
+                    (Function::Pow, [base, exponent]) => format!("({base})^({exponent})"),
+                    _ => format!("{}({})", function.name(), shown.join(", ")),
+                };
+                DomainError(match why {
+                    Undefined::OutsideDomain => format!("{text} is not a real number"),
+                    Undefined::OutOfRange => format!("{text} is too large or too small to compute with"),
+                })
             })
         }
     }
 }
 
-/// A function at constants; `None` outside its domain.
-fn call(function: Function, values: &[Real]) -> Option<Real> {
+/// A function at constants. At a zero or a pole the rounding of the argument is all that is left
+/// (`sin(pi)`, `acos(sqrt(2)^2/2)`); it is taken off, so that the outcome is that of every precision.
+fn call(function: Function, values: &[Real]) -> Result<Real, Undefined> {
     let x = &values[0];
-    match function {
-        Function::Sin => x.checked_sin().ok(),
-        Function::Cos => x.checked_cos().ok(),
-        Function::Tan => x.checked_tan().ok(),
-        Function::Asin => x.checked_asin().ok(),
-        Function::Acos => x.checked_acos().ok(),
-        Function::Atan => x.checked_atan().ok(),
-        Function::Atan2 => x.checked_atan2(&values[1]).ok(),
-        Function::Exp => x.checked_exp().ok(),
-        Function::Log => x.checked_ln().ok(),
-        Function::Sqrt => x.checked_sqrt().ok(),
-        Function::Tanh => Some(x.tanh()),
-        Function::Pow => x.checked_powf(&values[1]).ok(),
-        Function::Abs => Some(x.abs()),
-        Function::Sign => Some(Real::from_i64(if x.is_zero() { 0 } else if x.is_negative() { -1 } else { 1 }, x.precision())),
-        Function::Min => Some(if values[1] < *x { values[1].clone() } else { x.clone() }),
-        Function::Max => Some(if *x < values[1] { values[1].clone() } else { x.clone() }),
-    }
+    let one = Some(1);
+    let around = || x.top().max(one);
+    Ok(match function {
+        Function::Sin => without_rounding(x.checked_sin()?, around()),
+        Function::Cos => without_rounding(x.checked_cos()?, around()),
+        Function::Tan => {
+            let (sine, cosine) = (call(Function::Sin, values)?, call(Function::Cos, values)?);
+            if cosine.is_zero() {
+                return Err(Undefined::OutsideDomain);
+            }
+            if sine.is_zero() { sine } else { x.checked_tan()? }
+        }
+        Function::Asin => at_most_one(x).checked_asin()?,
+        Function::Acos => at_most_one(x).checked_acos()?,
+        Function::Atan => x.checked_atan()?,
+        Function::Atan2 => x.checked_atan2(&values[1])?,
+        Function::Exp => x.checked_exp()?,
+        Function::Log => without_rounding(x.checked_ln()?, one),
+        Function::Sqrt => x.checked_sqrt()?,
+        Function::Tanh => x.tanh(),
+        Function::Pow => x.checked_powf(&values[1])?,
+        Function::Abs => x.abs(),
+        Function::Sign => Real::from_i64(if x.is_zero() { 0 } else if x.is_negative() { -1 } else { 1 }, x.precision()),
+        Function::Min => if values[1] < *x { values[1].clone() } else { x.clone() },
+        Function::Max => if *x < values[1] { values[1].clone() } else { x.clone() },
+    })
+}
+
+/// One or minus one, when the value differs from it by rounding only.
+fn at_most_one(x: &Real) -> Real {
+    let one = Real::one(x.precision());
+    let one = if x.is_negative() { -one } else { one };
+    if without_rounding(x - &one, Some(1)).is_zero() { one } else { x.clone() }
 }
 
 /// A function at rational arguments whose value is rational; `None` when it is not, or not known to be.

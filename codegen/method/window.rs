@@ -23,6 +23,7 @@ use std::sync::Arc;
 
 use super::{Keyed, Method};
 use crate::design::{Design, Fir, NamedMatrix, Shape};
+use crate::decimal::show;
 use crate::diagnostic::{Diagnostic, codes};
 use crate::expr::List;
 use crate::plant::Plant;
@@ -32,8 +33,9 @@ use crate::spec::reader::Table;
 use crate::window::certificate::certify;
 use crate::window::model::{Model, signals};
 use crate::window::settle::settle;
-use crate::window::solve::{observability, output_powers};
-use crate::window::{Functional, count, trimmed, whole_samples};
+use crate::window::minimax::best_rows;
+use crate::window::solve::{Choice, observability, output_powers};
+use crate::window::{Functional, count, seconds, trimmed, whole_samples};
 
 /// The registry's entry.
 pub const METHOD: Method = Method {
@@ -42,7 +44,7 @@ pub const METHOD: Method = Method {
     source: "002 (9), (19) without unknowns, made discrete-exact",
     keys: &[
         ("window", "s", "length of the window, a whole number of samples; the estimate has converged after it"),
-        ("weights", "\"equal\"", "how samples are weighted: all alike (least squares)"),
+        ("weights", "\"equal\" | \"minimax\"", "least squares, or the smallest worst-case noise gain (quantised signals)"),
         ("realization", "\"auto\" | \"fir\"", "how the step computes it"),
     ],
     realizations: &[("fir", "one weighted sum over the stored samples; no state that can drift")],
@@ -54,6 +56,14 @@ pub const METHOD: Method = Method {
 #[derive(Clone, Debug)]
 struct Keys {
     window: Quantity,
+    weighting: Weighting,
+}
+
+/// Which of the unbiased weights are wanted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Weighting {
+    Equal,
+    Minimax,
 }
 
 fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
@@ -61,9 +71,10 @@ fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
     if window.is_none() && !table.has("window") {
         table.missing("window", "write `window = …`, the length in seconds; the deadline by which the estimate is exact");
     }
-    table.choice("weights", &[("equal", ())], ());
+    let words = [("equal", Weighting::Equal), ("minimax", Weighting::Minimax)];
+    let weighting = table.choice("weights", &words, Weighting::Equal);
     table.choice("realization", &[("auto", ()), ("fir", ())], ());
-    Some(Arc::new(Keys { window: window? }))
+    Some(Arc::new(Keys { window: window?, weighting }))
 }
 
 /// Bits at which observability is judged; a tolerance of half of them is far from any rounding.
@@ -81,14 +92,14 @@ impl Keyed for Keys {
             return Err(found);
         }
         let condition = verdict(plant, &delays, steps, &span)?;
-        let (functional, exact, mut numerics) =
-            settle(plant, signals(plant), &delays, steps).map_err(|diagnostic| vec![diagnostic])?;
+        let choice = self.choice(plant, &delays, steps)?;
+        let (functional, exact, mut numerics) = settle(plant, &signals(plant), &delays, steps, &choice)?;
         numerics.condition = condition;
         let certificate = certify(plant, &functional, &exact.model);
         Ok(Design {
             method: METHOD.name,
             realization: "fir",
-            summary: summary(plant, steps),
+            summary: self.summary(plant, steps),
             window_steps: steps,
             valid_from_step: steps,
             constants: constants(&exact.model),
@@ -102,14 +113,34 @@ impl Keyed for Keys {
 }
 
 impl Keys {
+    /// For minimax weights, the rows that carry them.
+    fn choice(&self, plant: &Plant, delays: &[usize], steps: usize) -> Result<Choice, Vec<Diagnostic>> {
+        if self.weighting == Weighting::Equal {
+            return Ok(Choice::LeastSquares);
+        }
+        let model = Model::new(plant, &[], Precision::bits(VERDICT_BITS))?;
+        let rows = observability(&output_powers(&model, steps), delays).0;
+        Ok(Choice::Rows(best_rows(&rows, &model.phi.powi(steps as u64))))
+    }
+
+    fn summary(&self, plant: &Plant, steps: usize) -> String {
+        let h = plant.sample_time_s();
+        let what = match self.weighting {
+            Weighting::Equal => "least squares",
+            Weighting::Minimax => "smallest worst-case noise gain",
+        };
+        format!("{what} over the last {} samples ({} s at {h} s), stateless", steps + 1, trimmed(seconds(steps, h)))
+    }
+
     /// N.
     fn steps(&self, plant: &Plant, found: &mut Vec<Diagnostic>) -> Option<usize> {
         let span = self.window.span();
         let window = plant.constant(&self.window, found)?;
         let seconds = window.to_f64().unwrap_or(f64::NAN);
         if seconds <= 0.0 || !seconds.is_finite() {
-            let error = Diagnostic::error(codes::BAD_NUMBER, span, format!("the window must be longer than 0 s, not {seconds}"));
-            found.push(error.measured(seconds));
+            let message = format!("the window must be longer than 0 s, not {}", show(seconds));
+            let error = Diagnostic::error(codes::BAD_NUMBER, span, message).measured(seconds);
+            found.push(error.help("write the seconds after which the estimate is to be exact"));
             return None;
         }
         whole_samples(&window, &span, "the window", plant, found)
@@ -149,7 +180,7 @@ fn refuse_long_delays(plant: &Plant, delays: &[usize], steps: usize, window: &Ra
                 .label(format!("{delay} samples"))
                 .context(window.clone(), format!("{steps} samples"))
                 .measured(count(*delay));
-            found.push(error.help(format!("a window of more than {} s", count(*delay) * plant.sample_time_s())));
+            found.push(error.help(format!("a window of more than {} s", show(count(*delay) * plant.sample_time_s()))));
         }
     }
 }
@@ -158,7 +189,7 @@ fn refuse_long_delays(plant: &Plant, delays: &[usize], steps: usize, window: &Ra
 fn verdict(plant: &Plant, delays: &[usize], steps: usize, window: &Range<usize>) -> Result<f64, Vec<Diagnostic>> {
     let n = plant.states.len();
     let p = Precision::bits(VERDICT_BITS);
-    let model = Model::new(plant, &[], p).map_err(|diagnostic| vec![diagnostic])?;
+    let model = Model::new(plant, &[], p)?;
     let rows = |steps: usize| {
         let powers = output_powers(&model, steps);
         observability(&powers, delays).0
@@ -183,7 +214,7 @@ fn verdict(plant: &Plant, delays: &[usize], steps: usize, window: &Range<usize>)
         let error = Diagnostic::error(codes::WINDOW_TOO_SHORT, window.clone(), message)
             .label(format!("{} samples show {shown} of {n} states", steps + 1))
             .measured(count(shown));
-        return Err(vec![error.help(format!("at least {} s", trimmed(count(needed) * plant.sample_time_s())))]);
+        return Err(vec![error.help(format!("a window of at least {} s", show(count(needed) * plant.sample_time_s())))]);
     }
     let values = singular_values(&scaled);
     Ok((&values[0] / &values[n - 1]).to_f64())
@@ -207,7 +238,8 @@ fn unobservable(plant: &Plant, rows: &Matrix, values: &[f64]) -> Diagnostic {
     let smallest = values.last().copied().unwrap_or(0.0);
     let span = hidden.first().map(|s| s.label.span.clone()).filter(|s| !s.is_empty()).unwrap_or(plant.span.clone());
     let verb = if names.len() == 1 { "state" } else { "states" };
-    let message = format!("the {verb} {} cannot be estimated from {}", List(&names), List(&outputs));
+    let output = if outputs.len() == 1 { "output" } else { "outputs" };
+    let message = format!("the {verb} {} cannot be estimated from the {output} {}", List(&names), List(&outputs));
     Diagnostic::error(codes::UNOBSERVABLE, span, message)
         .label(format!("rank {base} of {n}; smallest singular value {smallest:.1e}"))
         .measured(smallest)
@@ -231,11 +263,6 @@ fn time_warning(plant: &Plant) -> Option<Diagnostic> {
     let hours = 16_777_216.0 * plant.sample_time_s() / 3_600.0;
     let warning = Diagnostic::warning(codes::TIME_RESOLUTION, timed.node.span.clone(), "`t` loses resolution in f32");
     Some(warning.label(format!("after {hours:.1} h it no longer counts every call")).measured(hours).help("use f64, or an input that carries the phase"))
-}
-
-fn summary(plant: &Plant, steps: usize) -> String {
-    let h = plant.sample_time_s();
-    format!("least squares over the last {} samples ({} s at {h} s), stateless", steps + 1, trimmed(count(steps) * h))
 }
 
 fn constants(model: &Model) -> Vec<NamedMatrix> {
@@ -288,6 +315,17 @@ scalar = "f64"
         assert_eq!(design.window_steps, 100);
         assert!(design.numerics.agreement > 17.0);
         assert!(design.numerics.unbiasedness < 1e-60);
+    }
+
+    /// Least squares has the gain 29.3 from bounded noise to velocity, the smallest possible is 21.3
+    /// (window-observers, section 5, by an independent linear program).
+    #[test]
+    fn minimax_weights_have_the_smallest_gain() {
+        let slower = MOTOR.replace("1e-3", "2e-3");
+        let gain = |text: &str| designed(text).unwrap().1.certificate.noise_gain_l1[1][0];
+        assert!((gain(&slower) - 29.3).abs() < 0.05);
+        let minimax = gain(&slower.replace("window = 0.1", "window = 0.1\nweights = \"minimax\""));
+        assert!((minimax - 21.3).abs() < 0.05, "{minimax}");
     }
 
     /// The newest sample of the position has the weight that the reference design gives it.

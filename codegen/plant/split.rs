@@ -8,6 +8,7 @@ use std::ops::Range;
 
 use dashu_ratio::RBig;
 
+use crate::decimal;
 use crate::diagnostic::{Diagnostic, codes};
 use crate::expr::{Atom, Constant, Function, Meaning, Monomial, Node, NodeKind, Poly, Symbol};
 use crate::spec::{Hold, Spec};
@@ -219,9 +220,9 @@ impl Mistake {
             Self::Unknown(k) => Symbol::Unknown(k),
             Self::Disturbance(k) => Symbol::Disturbance(k),
         };
-        let span = culprit(right, varying, symbol);
+        let span = culprit(right, varying, Some(symbol));
         let name = name_of(symbol, known);
-        let what = describe(varying, known);
+        let what = shortened(describe(varying, known));
         match *self {
             Self::State(j) if measurable.late[j] => {
                 let message = format!("nonlinear in `{name}`, which is measured late");
@@ -252,12 +253,12 @@ impl Mistake {
 }
 
 /// The smallest part of the tree that holds the monomial; failing that, the name itself.
-fn culprit(node: &Node, varying: &Monomial, symbol: Symbol) -> Range<usize> {
+pub fn culprit(node: &Node, varying: &Monomial, symbol: Option<Symbol>) -> Range<usize> {
     let holds = |child: &Node| child.poly.terms().any(|(m, _)| m.split().1 == *varying);
     match children(node).into_iter().find(|child| holds(child)) {
         Some(child) => culprit(child, varying, symbol),
         None if holds(node) => node.span.clone(),
-        None => find_symbol(node, symbol).unwrap_or_else(|| node.span.clone()),
+        None => symbol.and_then(|s| find_symbol(node, s)).unwrap_or_else(|| node.span.clone()),
     }
 }
 
@@ -418,6 +419,12 @@ fn name_of(symbol: Symbol, known: &[(String, Meaning)]) -> String {
     known.iter().find(|(_, meaning)| matches(meaning)).map_or_else(|| "t".into(), |(name, _)| name.clone())
 }
 
+/// An expression's text for a label: its beginning, when it is long.
+pub fn shortened(text: String) -> String {
+    const LONGEST: usize = 60;
+    if text.chars().count() <= LONGEST { text } else { text.chars().take(LONGEST).chain(" …".chars()).collect() }
+}
+
 /// A monomial in the user's names.
 pub fn describe(monomial: &Monomial, known: &[(String, Meaning)]) -> String {
     let factor = |(atom, exponent): &(Atom, i32)| {
@@ -441,9 +448,9 @@ pub fn describe(monomial: &Monomial, known: &[(String, Meaning)]) -> String {
 fn describe_poly(poly: &Poly, known: &[(String, Meaning)]) -> String {
     let term = |(monomial, coefficient): (&Monomial, &RBig)| {
         let what = describe(monomial, known);
-        let number = coefficient.to_f64().value();
+        let number = decimal::show(coefficient.to_f64().value());
         match (what.is_empty(), *coefficient == RBig::ONE) {
-            (true, _) => number.to_string(),
+            (true, _) => number,
             (false, true) => what,
             (false, false) => format!("{number}*{what}"),
         }

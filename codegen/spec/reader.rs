@@ -75,7 +75,9 @@ impl<'a> Table<'a> {
     fn wrong_type(&self, value: &Spanned<DeValue<'a>>, key: &str, wanted: &str) {
         let message = format!("`{key}` in {} must be {wanted}", self.what);
         let found = format!("this is {}", kind_of(value.get_ref()));
-        self.report(Diagnostic::error(codes::WRONG_TYPE, value.span(), message).label(found));
+        let error = Diagnostic::error(codes::WRONG_TYPE, value.span(), message).label(found);
+        let is_number = matches!(value.get_ref(), DeValue::Integer(_) | DeValue::Float(_));
+        self.report(if is_number && wanted == "a string" { error.help("write it in quotes") } else { error });
     }
 
     /// Says that a key must be there.
@@ -134,7 +136,8 @@ impl<'a> Table<'a> {
         match digits.and_then(|d| decimal::parse(&d)) {
             Ok(number) => Some(Quantity::Number(number, value.span())),
             Err(why) => {
-                self.report(Diagnostic::error(codes::BAD_NUMBER, value.span(), why));
+                let error = Diagnostic::error(codes::BAD_NUMBER, value.span(), why);
+                self.report(error.help("write a decimal number, such as 1.5e-3"));
                 None
             }
         }
@@ -146,7 +149,7 @@ impl<'a> Table<'a> {
             Quantity::Number(number, span) if number.is_int() => Some((number, span)),
             other => {
                 let message = format!("`{key}` in {} must be a whole number", self.what);
-                self.report(Diagnostic::error(codes::WRONG_TYPE, other.span(), message));
+                self.report(Diagnostic::error(codes::WRONG_TYPE, other.span(), message).label("this is not"));
                 None
             }
         }
@@ -175,6 +178,13 @@ impl<'a> Table<'a> {
             self.wrong_type(value, key, "a matrix: a list of rows");
             return None;
         };
+        if let Some(row) = rows.iter().find(|row| !matches!(row.get_ref(), DeValue::Array(_))) {
+            let message = format!("each row of `{key}` in {} must be a list of numbers", self.what);
+            let error = Diagnostic::error(codes::WRONG_TYPE, row.span(), message);
+            let error = error.label(format!("this is {}", kind_of(row.get_ref())));
+            self.report(error.help("give each row its own brackets, also a single one: `[[1, 0]]`"));
+            return None;
+        }
         let rows: Vec<Option<Vec<Quantity>>> = rows.iter().map(|row| self.as_list(row, key)).collect();
         Some((rows.into_iter().collect::<Option<_>>()?, value.span()))
     }
@@ -249,7 +259,7 @@ fn digits_of(value: &DeValue<'_>) -> Option<Result<String, String>> {
     match value {
         DeValue::Integer(integer) if integer.radix() == 10 => Some(Ok(integer.as_str().to_owned())),
         DeValue::Integer(_) => Some(Err("only decimal numbers are read".into())),
-        DeValue::Float(float) if float.as_str().contains(['i', 'n']) => Some(Err(format!("{} is not a number to compute with", float.as_str()))),
+        DeValue::Float(float) if float.as_str().contains(['i', 'n']) => Some(Err(format!("`{}` is not a number to compute with", float.as_str()))),
         DeValue::Float(float) => Some(Ok(float.as_str().to_owned())),
         _ => None,
     }

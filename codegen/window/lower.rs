@@ -85,11 +85,7 @@ impl<'a> Lowering<'a> {
         let mut builder = Builder::new(&plant.name, plant.scalar, functional_sample_time(plant));
         let cells = declare(&mut builder, plant, functional);
         for output in &plant.outputs {
-            let mut doc = output.label.doc.clone();
-            if doc.is_empty() {
-                doc = "NaN when missing".into();
-            }
-            builder.measurement(field(&output.label.name, &output.label.unit, &doc));
+            builder.measurement(field(&output.label.name, &output.label.unit, &output.label.doc));
         }
         for input in &plant.inputs {
             builder.input(field(&input.label.name, &input.label.unit, &input.label.doc));
@@ -317,7 +313,7 @@ impl<'a> Lowering<'a> {
         let mut coasting = self.builder.count_down(before);
         let interval = self.builder.index(window - 1);
         coasting = self.builder.select(sampled.interval_good, coasting, interval);
-        for (o, good) in sampled.late.iter() {
+        for (o, good) in &sampled.late {
             // A late sample leaves the window earlier.
             let stays = window - late_len(self.functional, *o);
             let stays = self.builder.index(stays);

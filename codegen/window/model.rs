@@ -61,12 +61,16 @@ pub fn signals(plant: &Plant) -> Vec<Signal> {
 
 impl Model {
     /// Samples the plant.
-    pub fn new(plant: &Plant, signals: &[Signal], precision: Precision) -> Result<Self, Diagnostic> {
+    pub fn new(plant: &Plant, signals: &[Signal], precision: Precision) -> Result<Self, Vec<Diagnostic>> {
+        let domain = std::cell::Cell::new(false);
         let value = |constant: &Constant| {
-            constant.evaluate(precision).unwrap_or_else(|_| unreachable!("the plant stage has evaluated every constant"))
+            constant.evaluate(precision).unwrap_or_else(|_| {
+                domain.set(true);
+                Real::zero(precision)
+            })
         };
         let n = plant.states.len();
-        let a = Matrix::from_fn(n, n, |i, j| value(&plant.a[i][j]), );
+        let a = Matrix::from_fn(n, n, |i, j| value(&plant.a[i][j]));
         let c = Matrix::from_fn(plant.outputs.len(), n, |i, j| value(&plant.c[i][j]));
         let column = |signal: &Signal| {
             Matrix::from_fn(n, 1, |i, _| match signal.source {
@@ -75,22 +79,34 @@ impl Model {
             })
         };
         let offset = Matrix::from_fn(n, 1, |i, _| value(&plant.offset[i]));
+        let refused = || {
+            let error = Diagnostic::error(codes::DOMAIN, plant.span.clone(), "a constant of the plant has no usable value");
+            let label = format!("not at {} bits", precision.as_bits());
+            vec![error.label(label).help("it is the difference of nearly equal constants: write its value as a number")]
+        };
         if plant.discrete {
             let effects = signals.iter().map(|signal| discrete_effect(signal.part, column(signal))).collect();
+            if domain.get() {
+                return Err(refused());
+            }
             return Ok(Self { phi: a, c, effects, constant: offset });
         }
         let h = value(&plant.sample_time.0);
         let too_large = |error: &dyn std::fmt::Display| {
             let span = plant.sample_time.1.clone();
-            Diagnostic::error(codes::OUT_OF_RANGE, span, "the plant is too fast for this sample time")
+            let fast = Diagnostic::error(codes::OUT_OF_RANGE, span, "the plant is too fast for this sample time")
                 .label(error.to_string())
-                .help("shorten the sample time, or leave the fast states out of the model")
+                .help("shorten the sample time, or leave the fast states out of the model");
+            vec![fast]
         };
         let (phi, constant) = zero_order_hold(&a, &offset, &h).map_err(|e| too_large(&e))?;
         let mut effects = Vec::new();
         for signal in signals {
             let effect = continuous_effect(signal.part, &a, &column(signal), &h).map_err(|e| too_large(&e))?;
             effects.push(effect);
+        }
+        if domain.get() {
+            return Err(refused());
         }
         Ok(Self { phi, c, effects, constant })
     }

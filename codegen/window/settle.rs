@@ -10,7 +10,7 @@ use crate::plant::Plant;
 use crate::real::{Precision, Real, compare};
 
 use super::model::Model;
-use super::solve::{Exact, ExactPrediction};
+use super::solve::{Choice, Exact, ExactPrediction};
 use super::{Functional, Prediction, Signal, Weights};
 
 /// Bits of the first run; the second has twice as many.
@@ -23,15 +23,16 @@ const GUARD_BITS: f64 = 128.0;
 /// Designs at rising precision until everything has settled.
 pub fn settle(
     plant: &Plant,
-    signals: Vec<Signal>,
+    signals: &[Signal],
     delays: &[usize],
     steps: usize,
-) -> Result<(Functional, Exact, Numerics), Diagnostic> {
-    let run = |p: Precision| -> Result<Exact, Diagnostic> {
-        let model = Model::new(plant, &signals, p)?;
-        Exact::new(model, &signals, delays, steps, p).map_err(|error| {
-            Diagnostic::error(codes::UNOBSERVABLE, plant.span.clone(), "the window does not determine the state")
-                .label(error.to_string())
+    choice: &Choice,
+) -> Result<(Functional, Exact, Numerics), Vec<Diagnostic>> {
+    let run = |p: Precision| -> Result<Exact, Vec<Diagnostic>> {
+        let model = Model::new(plant, signals, p)?;
+        Exact::new(model, signals, delays, steps, choice, p).map_err(|error| {
+            let message = "the window does not determine the state";
+            vec![Diagnostic::error(codes::UNOBSERVABLE, plant.span.clone(), message).label(error.to_string())]
         })
     };
     let mut precision = Precision::bits(FIRST_BITS);
@@ -40,7 +41,7 @@ pub fn settle(
     loop {
         let fine = run(precision.doubled())?;
         let mut pass = Pass { precision, coarse: Vec::new(), fine: Vec::new(), settled: Vec::new() };
-        let functional = pass.functional(&coarse, &fine, signals.clone(), delays, steps);
+        let functional = pass.functional(&coarse, &fine, signals, delays, steps);
         let result = compare(pass.coarse.iter(), pass.fine.iter());
         agreement = result.digits;
         let unbiased = fine.unbiasedness < 1e-30;
@@ -55,7 +56,7 @@ pub fn settle(
         }
         precision = precision.doubled();
         if precision.as_bits() > LAST_BITS {
-            return Err(refusal(plant, agreement, fine.unbiasedness));
+            return Err(vec![refusal(plant, agreement, fine.unbiasedness)]);
         }
         coarse = fine;
     }
@@ -68,7 +69,7 @@ fn refusal(plant: &Plant, agreement: f64, unbiasedness: f64) -> Diagnostic {
             .label(format!("acc_(N+1) is {unbiasedness:.1e} of its history, not 0"))
             .measured(unbiasedness);
     }
-    let message = format!("the constants do not settle at {} bits", LAST_BITS);
+    let message = format!("the constants do not settle at {LAST_BITS} bits");
     Diagnostic::error(codes::PRECISION, plant.span.clone(), message)
         .label(format!("two runs agree to {agreement:.1} digits"))
         .measured(agreement)
@@ -90,7 +91,7 @@ impl Pass {
             return None;
         }
         let scale = fine.iter().map(Real::log2_abs).fold(f64::NEG_INFINITY, f64::max);
-        let bits = self.precision.as_bits() as f64;
+        let bits = super::count(self.precision.as_bits());
         let vanishes = |c: &Real, f: &Real| {
             let (c, f) = (c.log2_abs(), f.log2_abs());
             let small = c < scale - bits + GUARD_BITS && f < scale - 2.0 * bits + GUARD_BITS;
@@ -125,11 +126,11 @@ impl Pass {
         Prediction { states, held, end, constant: constant[0].unwrap_or_default() }
     }
 
-    fn functional(&mut self, coarse: &Exact, fine: &Exact, signals: Vec<Signal>, delays: &[usize], steps: usize) -> Functional {
+    fn functional(&mut self, coarse: &Exact, fine: &Exact, signals: &[Signal], delays: &[usize], steps: usize) -> Functional {
         let outputs = coarse.outputs.iter().zip(&fine.outputs).map(|(c, f)| self.weights(0, c, f)).collect();
         let knowns = (0..signals.len()).map(|s| self.weights(fine.first[s], &coarse.knowns[s], &fine.knowns[s])).collect();
         let constant = self.each(&coarse.constant, &fine.constant).into_iter().map(Option::unwrap_or_default).collect();
         let prediction = coarse.prediction.iter().zip(&fine.prediction).map(|(c, f)| self.prediction(c, f)).collect();
-        Functional { steps, delays: delays.to_vec(), signals, outputs, knowns, constant, prediction }
+        Functional { steps, delays: delays.to_vec(), signals: signals.to_vec(), outputs, knowns, constant, prediction }
     }
 }

@@ -12,9 +12,17 @@
 
 use crate::real::{Matrix, Precision, RankDeficient, Real, pseudo_inverse};
 
-use super::Part;
-use super::Signal;
 use super::model::Model;
+use super::{Part, Signal, minimax};
+
+/// Which of the unbiased weights are taken.
+#[derive(Clone, Debug)]
+pub enum Choice {
+    /// Least squares: the smallest gain from white noise.
+    LeastSquares,
+    /// The smallest gain from bounded noise; per state the rows that carry its weights.
+    Rows(Vec<Vec<usize>>),
+}
 
 /// All numbers of a functional, before they are rounded.
 #[derive(Clone, Debug)]
@@ -72,12 +80,18 @@ pub fn observability(powers: &[Matrix], delays: &[usize]) -> (Matrix, Vec<(usize
 
 impl Exact {
     /// Solves for the weights.
-    pub fn new(model: Model, signals: &[Signal], delays: &[usize], steps: usize, p: Precision) -> Result<Self, RankDeficient> {
+    pub fn new(
+        model: Model,
+        signals: &[Signal],
+        delays: &[usize],
+        steps: usize,
+        choice: &Choice,
+        p: Precision,
+    ) -> Result<Self, RankDeficient> {
         let n = model.phi.rows();
         let powers = output_powers(&model, steps);
         let (observability, rows) = observability(&powers, delays);
-        let inverse = pseudo_inverse(&observability)?;
-        let weights = &model.phi.powi(steps as u64) * &inverse;
+        let weights = choose(choice, &observability, &model.phi.powi(steps as u64))?;
         let mut by_age = vec![Matrix::zeros(n, delays.len(), p); steps + 1];
         for (place, (age, output)) in rows.iter().enumerate() {
             for i in 0..n {
@@ -89,7 +103,7 @@ impl Exact {
             (0..n).map(state).collect()
         });
         let outputs = outputs.collect();
-        let (accumulated, unbiasedness) = accumulate(&model, &by_age, p);
+        let (accumulated, unbiasedness) = accumulate(&model, &by_age, &powers, p);
         let first: Vec<usize> = model.effects.iter().map(|e| usize::from(e.at_end.is_none())).collect();
         let knowns = (0..signals.len()).map(|s| known_weights(&model, s, &accumulated, signals[s].part)).collect();
         let mut constant = Matrix::zeros(n, 1, p);
@@ -102,8 +116,28 @@ impl Exact {
     }
 }
 
+/// The weights by state and row.
+fn choose(choice: &Choice, observability: &Matrix, through: &Matrix) -> Result<Matrix, RankDeficient> {
+    let rows = match choice {
+        Choice::LeastSquares => return Ok(through * &pseudo_inverse(observability)?),
+        Choice::Rows(rows) => rows,
+    };
+    let (n, p) = (through.rows(), through.precision());
+    let mut weights = Matrix::zeros(n, observability.rows(), p);
+    for (i, chosen) in rows.iter().enumerate() {
+        let values = minimax::weights(observability, chosen, &through.block(i..i + 1, 0..n));
+        for (row, value) in chosen.iter().zip(values.ok_or(RankDeficient { column: i })?) {
+            weights[(i, *row)] = value;
+        }
+    }
+    Ok(weights)
+}
+
 /// `acc_1 … acc_N`, and how far `acc_{N+1}` is from zero.
-fn accumulate(model: &Model, by_age: &[Matrix], p: Precision) -> (Vec<Matrix>, f64) {
+///
+/// Column j of acc is measured in what the outputs see of state j, so that it has the unit of K's rows; the
+/// distance of a row is against the largest entry of K and of acc's history in that row.
+fn accumulate(model: &Model, by_age: &[Matrix], powers: &[Matrix], p: Precision) -> (Vec<Matrix>, f64) {
     let n = model.phi.rows();
     let mut acc = &Matrix::identity(n, p) - &(&by_age[0] * &model.c);
     let mut all = Vec::new();
@@ -111,19 +145,22 @@ fn accumulate(model: &Model, by_age: &[Matrix], p: Precision) -> (Vec<Matrix>, f
         all.push(acc.clone());
         acc = &(&acc * &model.phi) - &(weights * &model.c);
     }
-    let mut worst = 0.0_f64;
-    for i in 0..n {
-        for j in 0..n {
-            let largest = all.iter().map(|a| a.get(i, j).abs()).max().filter(|x| !x.is_zero());
-            let bias = acc.get(i, j).abs();
-            let ratio = match largest {
-                _ if bias.is_zero() => 0.0,
-                Some(largest) => (&bias / &largest).to_f64(),
-                None => f64::INFINITY,
-            };
-            worst = worst.max(ratio);
-        }
-    }
+    let largest = |entries: &mut dyn Iterator<Item = Real>| entries.max().unwrap_or_else(|| Real::zero(p));
+    let seen: Vec<Real> = (0..n)
+        .map(|j| largest(&mut powers.iter().flat_map(|m| (0..m.rows()).map(move |o| m.get(o, j).abs()))))
+        .collect();
+    let row = |m: &Matrix, i: usize| {
+        let scaled = (0..n).filter(|j| !seen[*j].is_zero()).map(|j| &m.get(i, j).abs() / &seen[j]);
+        scaled.max().unwrap_or_else(|| Real::zero(p))
+    };
+    let distance = |i: usize| {
+        let history = largest(&mut all.iter().map(|m| row(m, i)));
+        let weights = largest(&mut by_age.iter().flat_map(|m| (0..m.cols()).map(move |o| m.get(i, o).abs())));
+        let bias = row(&acc, i);
+        let scale = history.max(weights);
+        if bias.is_zero() { 0.0 } else { bias.checked_div(&scale).map_or(f64::INFINITY, |ratio| ratio.to_f64()) }
+    };
+    let worst = (0..n).map(distance).fold(0.0, f64::max);
     (all, worst)
 }
 

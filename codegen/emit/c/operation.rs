@@ -1,8 +1,8 @@
 //! One operation as one C expression.
 
-use super::C;
 use super::super::names;
 use super::super::plan::Place;
+use super::C;
 use crate::program::{Function, Op, Status, TableId, Value};
 
 impl C<'_> {
@@ -50,7 +50,11 @@ impl C<'_> {
                 format!("({} <= {value}) && ({value} <= {})", self.float(*low), self.float(*high))
             }
             Op::Select { condition, then, otherwise } => {
-                if then == otherwise { v(then) } else { format!("{} ? {} : {}", v(condition), v(then), v(otherwise)) }
+                if then == otherwise {
+                    v(then)
+                } else {
+                    format!("{} ? {} : {}", v(condition), v(then), v(otherwise))
+                }
             }
             Op::Advance { slot, len } => {
                 bounded(&v(slot), len - 1, |slot, last| format!("({slot} < {last}U) ? ({slot} + 1U) : 0U"))

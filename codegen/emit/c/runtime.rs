@@ -5,8 +5,8 @@ use std::collections::BTreeSet;
 use deadbeat_math::c::FRAGMENTS;
 
 use super::super::plan::Plan;
-use super::super::split::Item;
 use super::super::split;
+use super::super::split::Item;
 use crate::program::{Op, Statement};
 
 /// The fragments that the Program's functions need, in the order in which they may be written,
@@ -43,9 +43,7 @@ mod tests {
     /// Claim: no name of the runtime's C source becomes a name of the interface.
     #[test]
     fn runtime_leaves_our_names_alone() {
-        let own = [
-            "status", "measurements", "inputs", "estimate", "state", "work", "init", "step",
-        ];
+        let own = ["status", "measurements", "inputs", "estimate", "state", "work", "init", "step"];
         for fragment in FRAGMENTS {
             let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
             for word in fragment.source.split(|c| !is_word(c)) {

@@ -1,10 +1,10 @@
 //! The statements of one function.
 
-use super::C;
 use super::super::names;
-use super::super::plan::{Access, Function, Place};
+use super::super::plan::{Function, Place};
 use super::super::split::Item;
 use super::super::text::c_comment;
+use super::C;
 use crate::program::{Carried, CellId, Loop, Op, Statement, Value};
 
 impl C<'_> {
@@ -93,37 +93,6 @@ impl C<'_> {
     fn next(&self, carried: &Carried) -> Option<String> {
         let changes = carried.next != carried.value;
         changes.then(|| format!("{} = {};", self.value(carried.value), self.value(carried.next)))
-    }
-
-    /// The call of a function that holds a part of the step.
-    fn call_part(&self, callee: usize) -> String {
-        let part = &self.plan.functions[callee];
-        let arguments: Vec<&str> = self
-            .parameters(part)
-            .into_iter()
-            .map(|(_, name)| if name == "work" && part.row.is_none() { "&work" } else { name })
-            .collect();
-        format!("{}_{}({});", self.plan.names.lower, names::part(callee), arguments.join(", "))
-    }
-
-    /// What a part is called with: the declarations, and the names of the parameters.
-    pub fn parameters(&self, part: &Function) -> Vec<(String, &'static str)> {
-        let name = &self.plan.names.lower;
-        let pointer = |access: Access, what: &'static str| match access {
-            Access::None => None,
-            Access::Read => Some((format!("const {name}_{what} *{what}"), what)),
-            Access::Write => Some((format!("{name}_{what} *{what}"), what)),
-        };
-        let read = |is_read: bool| if is_read { Access::Read } else { Access::None };
-        let reach = part.reach;
-        let all = [
-            pointer(reach.state, "state"),
-            pointer(read(reach.measurements), "measurements"),
-            pointer(read(reach.inputs), "inputs"),
-            pointer(reach.work, "work"),
-            self.plan.row_of(part).map(|_| (format!("const {} *gains", self.scalar()), "gains")),
-        ];
-        all.into_iter().flatten().collect()
     }
 
     /// A cell.

@@ -73,9 +73,7 @@ const KNOWN: [(f64, &str, usize); 21] = [
 /// Whether plain digits are a constant of the standard library, cut off or rounded somewhere.
 fn known(digits: &str, scalar: Scalar) -> Option<Known> {
     let decimals = digits.split_once('.')?.1.len();
-    let near = |constant: f64| {
-        format!("{constant:.decimals$}") == digits || constant.to_string().starts_with(digits)
-    };
+    let near = |constant: f64| format!("{constant:.decimals$}") == digits || constant.to_string().starts_with(digits);
     let (constant, name, _) =
         KNOWN.iter().find(|(constant, _, shortest)| digits.len() >= *shortest && near(*constant))?;
     let is_equal = !name.is_empty() && literal::float(rounded(*constant, scalar), scalar) == digits;

@@ -65,8 +65,7 @@ fn is_apart(before: &str, line: &str) -> bool {
 /// The rows of a table.
 fn rows(table: &Table, scalar: Scalar) -> Vec<String> {
     let spelled = |x: &f64| constant::float(*x, scalar).to_string().replace(' ', "");
-    let cells: Vec<Vec<String>> =
-        table.rows.iter().map(|row| row.iter().map(spelled).collect()).collect();
+    let cells: Vec<Vec<String>> = table.rows.iter().map(|row| row.iter().map(spelled).collect()).collect();
     let mut lines = text::rows(&cells, ["[", "]"]);
     if let Some(last) = lines.last_mut() {
         last.push(',');

@@ -66,11 +66,7 @@ impl Rust<'_> {
             Op::Measurement(at) => field(&quote!(measurements), &self.plan.program.measurements[usize::from(*at)].name),
             Op::Input(at) => field(&quote!(inputs), &self.plan.program.inputs[usize::from(*at)].name),
             Op::Cell(cell) => field(&quote!(self), &self.plan.program.cells[usize::from(cell.0)].name),
-            Op::Ring { ring, slot } => {
-                let ring = field(&quote!(self), &self.plan.program.cells[usize::from(ring.0)].name);
-                let slot = self.value(*slot);
-                quote!(#ring[#slot])
-            }
+            Op::Ring { ring, slot } => self.element(*ring, *slot),
             Op::Lookup { table, row, column } => self.lookup(*table, *row, *column),
             Op::Gain { column } => {
                 let column = proc_macro2::Literal::u16_unsuffixed(*column);
@@ -190,8 +186,8 @@ impl Rust<'_> {
 
     /// An element of a table.
     fn lookup(&self, table: TableId, row: Value, column: u16) -> TokenStream {
+        let row = self.index(row, self.plan.program.tables[usize::from(table.0)].rows.len());
         let table = ident(self.plan.names.table(table));
-        let row = self.value(row);
         let column = proc_macro2::Literal::u16_unsuffixed(column);
         quote!(#table[#row][#column])
     }

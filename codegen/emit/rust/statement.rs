@@ -7,10 +7,11 @@ use super::super::names;
 use super::super::plan::{Access, Place, Reach};
 use super::super::split::Item;
 use super::super::text::plain;
-use super::item::{BY_VALUE, scalar};
+use super::function::BY_VALUE;
+use super::item::scalar;
 use super::operation::field;
 use super::{Rust, ident};
-use crate::program::{Carried, CellId, Loop, Op, Statement, TableId, Type, Value};
+use crate::program::{Carried, Loop, Op, Statement, TableId, Type, Value};
 
 impl Rust<'_> {
     /// The statements, each below the heading that stands before it.
@@ -42,14 +43,13 @@ impl Rust<'_> {
         match item {
             Item::Plain(Statement::Let { value, op }) => self.definition(*value, op),
             Item::Plain(Statement::SetCell { cell, value }) => {
-                let cell = self.cell(*cell);
+                let cell = field(&quote!(self), &self.plan.program.cells[usize::from(cell.0)].name);
                 let value = self.value(*value);
                 quote!(#cell = #value;)
             }
             Item::Plain(Statement::SetRing { ring, slot, value }) => {
-                let ring = self.cell(*ring);
-                let (slot, value) = (self.value(*slot), self.value(*value));
-                quote!(#ring[#slot] = #value;)
+                let (element, value) = (self.element(*ring, *slot), self.value(*value));
+                quote!(#element = #value;)
             }
             Item::Loop { source, items } => self.looped(source, items),
             Item::Call(callee) => self.call_part(*callee),
@@ -139,11 +139,6 @@ impl Rust<'_> {
             Type::Bool => quote!(bool),
             Type::Status => quote!(Status),
         }
-    }
-
-    /// A cell.
-    fn cell(&self, cell: CellId) -> TokenStream {
-        field(&quote!(self), &self.plan.program.cells[usize::from(cell.0)].name)
     }
 }
 

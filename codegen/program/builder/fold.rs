@@ -17,6 +17,9 @@ pub(super) enum Folded {
 
 /// The simpler form of the operation; `known` tells how a value was defined.
 pub(super) fn fold<'a>(op: &Op, scalar: Scalar, known: impl Fn(Value) -> Option<&'a Op>) -> Option<Folded> {
+    if let Some(constant) = by_form(op, &known) {
+        return Some(Folded::Constant(constant));
+    }
     decided(op, &known).map(Folded::Same).or_else(|| {
         let operands: Option<Vec<&Op>> = op.operands().into_iter().map(&known).collect();
         let operands = operands.filter(|operands| !operands.is_empty())?;
@@ -27,6 +30,21 @@ pub(super) fn fold<'a>(op: &Op, scalar: Scalar, known: impl Fn(Value) -> Option<
         .or_else(|| index(op, &operands))
         .map(Folded::Constant)
     })
+}
+
+/// The result whatever the operands hold: a comparison that can go only one way, a bound of 0.
+fn by_form<'a>(op: &Op, known: &impl Fn(Value) -> Option<&'a Op>) -> Option<Op> {
+    match *op {
+        Op::Less(a, b) | Op::IndexLess(a, b) if a == b => Some(Op::Bool(false)),
+        Op::IndexLess(_, b) if known(b) == Some(&Op::Index(0)) => Some(Op::Bool(false)),
+        Op::IndexLess(a, _) if known(a) == Some(&Op::Index(u32::MAX)) => Some(Op::Bool(false)),
+        Op::IndexEqual(a, b) if a == b => Some(Op::Bool(true)),
+        Op::Advance { len: 1, .. }
+        | Op::Retreat { len: 1, .. }
+        | Op::CountUp { max: 0, .. }
+        | Op::AtMost { max: 0, .. } => Some(Op::Index(0)),
+        _ => None,
+    }
 }
 
 /// One operand is the result: `1 * x`, a known condition, equal branches.
@@ -41,6 +59,7 @@ fn decided<'a>(op: &Op, known: &impl Fn(Value) -> Option<&'a Op>) -> Option<Valu
         Op::Mul(a, b) if one(b) => Some(a),
         Op::Select { then, otherwise, .. } if then == otherwise => Some(then),
         Op::Select { condition, then, otherwise } => truth(condition).map(|truth| if truth { then } else { otherwise }),
+        Op::And(a, b) | Op::Or(a, b) if a == b => Some(a),
         Op::And(a, b) => match (truth(a), truth(b)) {
             (Some(true), _) | (_, Some(false)) => Some(b),
             (Some(false), _) | (_, Some(true)) => Some(a),

@@ -54,10 +54,11 @@ impl Guard {
 fn output_range(plant: &Plant, output: &crate::plant::Output, bound: f64, found: &mut Vec<Diagnostic>) -> (f64, f64) {
     let Some((low, high)) = &output.range else { return (-bound, bound) };
     let (low, high) = (round(low, plant.scalar), round(high, plant.scalar));
-    if low < -bound || high > bound {
+    if !(low >= -bound && high <= bound) {
         let message = format!("the range of `{}` is wider than can be computed with", output.label.name);
         let error = Diagnostic::error(codes::OUT_OF_RANGE, output.label.span.clone(), message);
-        found.push(error.label(format!("at most ±{bound:e} in {}", plant.scalar)));
+        let largest = format!("at most ±{bound:.0e} in {}", plant.scalar);
+        found.push(error.label(largest).help("narrow the range to what the sensor can show"));
     }
     (low, high)
 }
@@ -108,7 +109,7 @@ impl Ranges<'_> {
             NodeKind::Product(_) => return None,
             NodeKind::Power(base, n) => {
                 let base = self.enclose(base)?;
-                (0..*n).fold(Interval::point(1.0), |product, _| product.times(base))
+                base.power(*n)
             }
             NodeKind::Call(function, arguments) => self.call(*function, arguments)?,
         };

@@ -33,7 +33,8 @@ pub fn round(constant: &Constant, scalar: Scalar) -> f64 {
             Scalar::F32 => f64::from(value.to_f32()),
             Scalar::F64 => value.to_f64(),
         },
-        Err(_) => unreachable!("the plant stage has evaluated every constant"),
+        // [`check`] refuses it.
+        Err(_) => f64::NAN,
     }
 }
 
@@ -53,11 +54,14 @@ pub fn check(plant: &Plant) -> Result<(), Vec<Diagnostic>> {
     let mut found = Vec::new();
     let mut refuse = |constant: &Constant, span: &std::ops::Range<usize>| {
         let value = round(constant, plant.scalar);
-        if !value.is_finite() {
+        if value.is_nan() {
+            found.push(Diagnostic::error(codes::DOMAIN, span.clone(), "a constant in this has no usable value").label("a division by zero, or a root of rounding"));
+        } else if !value.is_finite() {
             let size = constant.to_f64().unwrap_or(f64::INFINITY);
             let message = format!("a constant is too large for {}", plant.scalar);
             let error = Diagnostic::error(codes::OUT_OF_RANGE, span.clone(), message).measured(size);
-            found.push(error.label(format!("this is {size:e}")).help("scale the states, or use f64"));
+            let help = if plant.scalar == Scalar::F32 { "write `scalar = \"f64\"`, or scale the states" } else { "scale the states" };
+            found.push(error.label(format!("this has {size:e} in it")).help(help));
         }
     };
     for injection in &plant.injections {

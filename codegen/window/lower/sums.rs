@@ -2,8 +2,9 @@
 //!
 //! Ages are cut into segments in which the same signals have weights. A segment of at least
 //! [`SHORTEST_LOOP`] ages is a loop over a table whose rows are the ages; a shorter one is written
-//! out. Each (state, signal) pair has a sum of its own as long as there are few, so that the
-//! additions of one do not wait for those of another.
+//! out. As long as there are few (state, signal) pairs, one loop serves all signals and each pair
+//! has a sum of its own, so that the additions of one do not wait for those of another; else each
+//! signal has its loop, and the sums of the states run through all of them.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -46,11 +47,15 @@ pub fn estimate(
         .collect();
     let len = u32::try_from(functional.steps + 1).unwrap_or_else(|_| unreachable!("the window's length is bounded"));
     let apart = pairs(&tracks) <= MOST_SUMS;
-    let mut window = Window { plant, tracks: &tracks, apart, sums: Sums::new(), len, slot: newest };
-    for (begin, end) in segments(&tracks) {
-        if end - begin >= SHORTEST_LOOP { window.in_a_loop(b, begin, end) } else { window.written_out(b, begin, end) }
+    let loops = if apart { 1 } else { tracks.len().max(1) };
+    let mut sums = Sums::new();
+    for tracks in tracks.chunks(tracks.len().div_ceil(loops).max(1)) {
+        let mut window = Window { plant, tracks, apart, sums, len, slot: newest };
+        for (begin, end) in segments(tracks) {
+            if end - begin >= SHORTEST_LOOP { window.in_a_loop(b, begin, end) } else { window.written_out(b, begin, end) }
+        }
+        sums = window.sums;
     }
-    let Window { sums, .. } = window;
     (0..plant.states.len())
         .map(|i| {
             let mut terms: Vec<Value> = sums.iter().filter(|((state, _), _)| *state == i).map(|(_, v)| *v).collect();

@@ -19,9 +19,11 @@
 //!
 //! # Accuracy
 //!
-//! For `f32` every argument of the functions of one argument has been tried and
-//! every result is the nearest `f32`; `atan2` and `pow` gave the nearest for all
-//! of 2 million pseudo-random pairs each. For `f64` the table has the largest
+//! For `f32` every result that was tried is the nearest `f32`. Tried were, for
+//! `sin`, `cos`, `tan`, `log` and `sqrt`, every argument; for `asin`, all of
+//! [-1, 1]; for `tanh`, up to magnitude 100; for `acos`, from 1e-9 to 1; for
+//! `exp`, from 1e-9 to 105; for `atan`, from 1e-5 to 1e9; and 2 million
+//! pseudo-random pairs for each of `atan2` and `pow`. For `f64` the table has the largest
 //! error among 400 thousand pseudo-random arguments per function, in units of
 //! the last place; 0.5 would be the nearest throughout.
 //!
@@ -94,15 +96,16 @@ pub use crate::f64::sin_cos_tan::{cos_f64, sin_f64, tan_f64};
 pub use crate::f64::sqrt::sqrt_f64;
 pub use crate::f64::tanh::tanh_f64;
 
-/// The nearest `f32` of an integer.
+/// The nearest `f32` of an index or a count.
 #[must_use]
 #[allow(clippy::cast_precision_loss, reason = "rounding is what it is for")]
-pub fn f32_from_u32(x: u32) -> f32 {
+pub fn f32_from_index(x: usize) -> f32 {
     x as f32
 }
 
-/// The `f64` of an integer, exact.
+/// The nearest `f64` of an index or a count; exact below 2^53.
 #[must_use]
-pub fn f64_from_u32(x: u32) -> f64 {
-    f64::from(x)
+#[allow(clippy::cast_precision_loss, reason = "rounding is what it is for")]
+pub fn f64_from_index(x: usize) -> f64 {
+    x as f64
 }

@@ -149,11 +149,11 @@ fn power_of_ordinary_numbers() {
 /// Squares of small integers often lie exactly between two numbers.
 #[test]
 fn powers_that_are_rounding_ties_go_to_even() {
-    for x in 4_097_u32..8_192 {
-        assert_eq!(pow_f32(f32_from_u32(x), 2.0), f32_from_u32(x * x), "{x}");
-        let big = f64_from_u32(x) * 16_384.0 + 1.0;
+    for x in 4_097_usize..8_192 {
+        assert_eq!(pow_f32(f32_from_index(x), 2.0), f32_from_index(x * x), "{x}");
+        let big = f64_from_index(x) * 16_384.0 + 1.0;
         assert_eq!(pow_f64(big, 2.0), big * big, "{big}");
-        let big = f64_from_u32(x * 16_384 + 1);
+        let big = f64_from_index(x * 16_384 + 1);
         assert_eq!(pow_f64(big, 2.0), big * big, "{big}");
     }
 }
@@ -229,7 +229,7 @@ fn steps_of_one_place_keep_order() {
 
 #[test]
 fn integers_convert() {
-    assert_eq!(f64_from_u32(u32::MAX), 4_294_967_295.0);
-    assert_eq!(f32_from_u32(u32::MAX), 4_294_967_296.0);
-    assert_eq!(f32_from_u32(16_777_217), 16_777_216.0);
+    assert_eq!(f64_from_index(4_294_967_295), 4_294_967_295.0);
+    assert_eq!(f32_from_index(4_294_967_295), 4_294_967_296.0);
+    assert_eq!(f32_from_index(16_777_217), 16_777_216.0);
 }

@@ -1,0 +1,78 @@
+//! Times as whole numbers of samples.
+
+use std::ops::Range;
+
+use crate::decimal::show;
+use crate::diagnostic::{Diagnostic, codes};
+use crate::expr::Constant;
+use crate::plant::Plant;
+use crate::real::{Precision, Real};
+
+/// The longest window that is designed, in samples.
+const MOST: usize = 20_000;
+
+/// A time as a whole number of samples; `None` after reporting that it is not one, or too many.
+pub fn whole_samples(
+    time: &Constant,
+    span: &Range<usize>,
+    what: &str,
+    plant: &Plant,
+    found: &mut Vec<Diagnostic>,
+) -> Option<usize> {
+    let ratio = time.to_f64().unwrap_or(f64::NAN) / plant.sample_time_s();
+    let samples = exactly_whole(time, &plant.sample_time.0);
+    let mistake = match samples {
+        Some(samples) if samples <= MOST => return Some(samples),
+        _ if ratio > count(MOST) => too_many(ratio, span, what),
+        _ => not_whole(ratio, span, what, plant.sample_time_s()),
+    };
+    found.push(mistake);
+    None
+}
+
+fn too_many(ratio: f64, span: &Range<usize>, what: &str) -> Diagnostic {
+    Diagnostic::error(codes::WINDOW_TOO_LONG, span.clone(), format!("{what} has too many samples"))
+        .label(format!("{} samples; at most {MOST} are designed", show(ratio)))
+        .measured(ratio)
+        .help("a shorter time, or a longer sample time")
+}
+
+fn not_whole(ratio: f64, span: &Range<usize>, what: &str, h: f64) -> Diagnostic {
+    let (below, above) = (ratio.floor(), ratio.ceil());
+    let choice = |samples: f64| format!("{} s has {} samples", show(samples * h), show(samples));
+    let help = if below > 0.0 { format!("{}, {}", choice(below), choice(above)) } else { choice(above.max(1.0)) };
+    Diagnostic::error(codes::NOT_WHOLE, span.clone(), format!("{what} is not a whole number of samples"))
+        .label(format!("{} samples of {} s", show(ratio), show(h)))
+        .measured(ratio)
+        .help(help)
+}
+
+/// The ratio of two times, when it is a whole number: exactly if both are rational, else to 30 digits.
+fn exactly_whole(time: &Constant, h: &Constant) -> Option<usize> {
+    if let (Some(time), Some(h)) = (time.as_rational(), h.as_rational()) {
+        let ratio = time / h;
+        return if ratio.is_int() { ratio.numerator().clone().try_into().ok() } else { None };
+    }
+    let precision = Precision::bits(256);
+    let ratio = time.evaluate(precision).ok()?.checked_div(&h.evaluate(precision).ok()?).ok()?;
+    let nearest = Real::from_f64(ratio.to_f64().round(), precision)?;
+    let distance = &ratio - &nearest;
+    let near = distance.is_zero() || distance.log2_abs() < -100.0;
+    nearest.to_integer().filter(|_| near).and_then(|whole| usize::try_from(whole).ok())
+}
+
+/// A count as a number for messages.
+#[expect(clippy::cast_precision_loss, reason = "counts of samples and bits are far below 2^53")]
+pub fn count(value: usize) -> f64 {
+    value as f64
+}
+
+/// The length of some samples.
+pub fn seconds(samples: usize, sample_time_s: f64) -> f64 {
+    count(samples) * sample_time_s
+}
+
+/// Up to nine significant digits, for messages.
+pub fn trimmed(value: f64) -> f64 {
+    format!("{value:.8e}").parse().unwrap_or(value)
+}

@@ -1,0 +1,186 @@
+//! The corpus as a person would write it down: one right-hand side per specification, by hand.
+
+use std::f64::consts::PI;
+
+use super::plant::{Hold, Truth, corpus};
+
+/// Every specification of the corpus whose truth is known.
+pub fn truth(name: &str) -> Option<Truth> {
+    Some(match name {
+        "dc_motor" => dc_motor(),
+        "inverted_cart" => inverted_cart(0.3),
+        "late_position" => late_position(0.4),
+        "magnetic_levitation" => magnetic_levitation(),
+        "mass_chain" => mass_chain(),
+        "pendulum" => pendulum(),
+        "thermal_stack" => thermal_stack(),
+        "two_mass_drive" => two_mass_drive(),
+        _ => return None,
+    })
+}
+
+/// The stems of all files in specs/.
+pub fn names() -> Vec<String> {
+    let folder = format!("{}/specs", env!("CARGO_MANIFEST_DIR"));
+    let entries = std::fs::read_dir(&folder).unwrap_or_else(|error| panic!("{folder}: {error}"));
+    let paths = entries.map(|entry| entry.unwrap().path()).filter(|path| path.extension().is_some_and(|e| e == "toml"));
+    let mut names: Vec<String> = paths.map(|path| path.file_stem().unwrap().to_str().unwrap().to_owned()).collect();
+    names.sort();
+    names
+}
+
+fn dc_motor() -> Truth {
+    Truth {
+        discrete: false,
+        change: Box::new(|_, x, u| {
+            vec![x[1], 15.0 * x[2] - 35.0 * x[0].sin() - x[1], 40.0 * u[0] - 36.4 * x[1] - 200.0 * x[2]]
+        }),
+        outputs: Box::new(|x| vec![x[0]]),
+        delays: vec![0.0],
+        holds: vec![Hold::Zero],
+        start: vec![(-2.0, 2.0), (-3.0, 3.0), (-1.0, 1.0)],
+        input: vec![(-10.0, 10.0)],
+        exact: false,
+    }
+}
+
+/// With the amplitude of the known ground motion; linear and exact when it is 0.
+pub fn inverted_cart(ground: f64) -> Truth {
+    Truth {
+        discrete: false,
+        change: Box::new(move |t, x, u| {
+            let (angle, dx, dangle, force) = (x[1], x[2], x[3], u[0]);
+            vec![
+                dx,
+                dangle,
+                -0.1818 * dx + 2.6727 * angle + 1.8182 * force,
+                -0.4545 * dx + 31.1818 * angle + 4.5455 * force + ground * (2.0 * PI * 1.5 * t).sin(),
+            ]
+        }),
+        outputs: Box::new(|x| vec![x[0], x[1]]),
+        delays: vec![0.0; 2],
+        holds: vec![Hold::Zero],
+        start: vec![(-0.1, 0.1), (-0.05, 0.05), (-0.2, 0.2), (-0.1, 0.1)],
+        input: vec![(-1.0, 1.0)],
+        exact: ground == 0.0,
+    }
+}
+
+/// With the size of the dry friction; linear and exact when it is 0.
+pub fn late_position(friction: f64) -> Truth {
+    Truth {
+        discrete: false,
+        change: Box::new(move |_, x, u| {
+            let (speed, slope, wheel) = (x[1], x[2], x[3]);
+            vec![
+                speed,
+                u[0] / 2.5 - 0.8 * speed - friction * (20.0 * wheel).tanh() + slope,
+                0.0,
+                30.0 * (speed - wheel),
+            ]
+        }),
+        outputs: Box::new(|x| vec![x[0], x[3]]),
+        delays: vec![0.04, 0.0],
+        holds: vec![Hold::Zero],
+        start: vec![(-5.0, 5.0), (-0.3, 0.3), (-0.5, 0.5), (-0.3, 0.3)],
+        input: vec![(-3.0, 3.0)],
+        exact: friction == 0.0,
+    }
+}
+
+fn magnetic_levitation() -> Truth {
+    Truth {
+        discrete: false,
+        change: Box::new(|_, x, u| vec![x[1], 9.81 - 6.53e-5 * u[0] * u[0] / (2.0 * 0.068 * x[0] * x[0])]),
+        outputs: Box::new(|x| vec![x[0]]),
+        delays: vec![0.0],
+        holds: vec![Hold::Zero],
+        start: vec![(0.009, 0.011), (-0.05, 0.05)],
+        input: vec![(1.2, 1.7)],
+        exact: false,
+    }
+}
+
+fn mass_chain() -> Truth {
+    let document: toml::Table = corpus("mass_chain").parse().unwrap();
+    let matrix = |letter: &str| -> Vec<Vec<f64>> {
+        let rows = document["plant"][letter].as_array().unwrap();
+        rows.iter().map(|row| row.as_array().unwrap().iter().map(number).collect()).collect()
+    };
+    let (a, b, c) = (matrix("A"), matrix("B"), matrix("C"));
+    let dot = |row: &[f64], x: &[f64]| row.iter().zip(x).map(|(r, x)| r * x).sum::<f64>();
+    let n = a.len();
+    Truth {
+        discrete: false,
+        change: Box::new(move |_, x, u| a.iter().zip(&b).map(|(a, b)| dot(a, x) + dot(b, u)).collect()),
+        outputs: Box::new(move |x| c.iter().map(|row| dot(row, x)).collect()),
+        delays: vec![0.0; 3],
+        holds: vec![Hold::Zero],
+        start: (0..n).map(|i| if i < 6 { (-0.1, 0.1) } else { (-1.0, 1.0) }).collect(),
+        input: vec![(-5.0, 5.0)],
+        exact: true,
+    }
+}
+
+/// A number, or a quotient of two in a string.
+fn number(value: &toml::Value) -> f64 {
+    match value {
+        toml::Value::Integer(n) => *n as f64,
+        toml::Value::Float(x) => *x,
+        toml::Value::String(text) => {
+            let (over, under) = text.split_once('/').unwrap();
+            over.parse::<f64>().unwrap() / under.parse::<f64>().unwrap()
+        }
+        other => panic!("{other} is no number"),
+    }
+}
+
+fn pendulum() -> Truth {
+    Truth {
+        discrete: false,
+        change: Box::new(|_, x, _| vec![x[1], 64.2189 * x[0].sin() - 0.067227 * x[1]]),
+        outputs: Box::new(|x| vec![x[0]]),
+        delays: vec![0.0],
+        holds: vec![],
+        start: vec![(0.5, 2.5), (-5.0, 5.0)],
+        input: vec![],
+        exact: false,
+    }
+}
+
+fn thermal_stack() -> Truth {
+    Truth {
+        discrete: true,
+        change: Box::new(|_, x, u| {
+            let (heater, block, sensor) = (x[0], x[1], x[2]);
+            vec![
+                0.82 * heater + 0.11 * block + 0.9 * u[0],
+                0.05 * heater + 0.93 * block - 0.002 * (sensor - u[1]),
+                0.2 * block + 0.8 * sensor,
+            ]
+        }),
+        outputs: Box::new(|x| vec![x[2]]),
+        delays: vec![0.0],
+        holds: vec![Hold::Zero; 2],
+        start: vec![(10.0, 40.0); 3],
+        input: vec![(0.0, 8.0), (10.0, 30.0)],
+        exact: true,
+    }
+}
+
+fn two_mass_drive() -> Truth {
+    Truth {
+        discrete: false,
+        change: Box::new(|_, x, u| {
+            let (motor, load, motor_speed, load_speed) = (x[0], x[1], x[2], x[3]);
+            let shaft = 400.0 * (motor - load) + 0.2 * (motor_speed - load_speed);
+            vec![motor_speed, load_speed, (u[0] - shaft) / 0.01, (shaft - 1.5 * load.sin()) / 0.05]
+        }),
+        outputs: Box::new(|x| vec![x[0], x[1]]),
+        delays: vec![0.0; 2],
+        holds: vec![Hold::First],
+        start: vec![(-0.5, 0.5), (-0.5, 0.5), (-10.0, 10.0), (-10.0, 10.0)],
+        input: vec![(-5.0, 5.0)],
+        exact: false,
+    }
+}
