@@ -154,12 +154,11 @@ enum End {
 }
 
 /// What stopped a command; the text is for standard error.
-struct Failure(String);
-
-impl From<String> for Failure {
-    fn from(text: String) -> Self {
-        Self(text)
-    }
+enum Failure {
+    /// Exit 1: the specification, the data or the disk.
+    Wrong(String),
+    /// Exit 3: the arguments, which only this specification or this build shows to be wrong.
+    Misused(String),
 }
 
 /// Runs the program.
@@ -176,9 +175,13 @@ pub fn main() -> ExitCode {
         Ok(End::Fine) => ExitCode::SUCCESS,
         Ok(End::Wrong) => ExitCode::from(1),
         Ok(End::Differs) => ExitCode::from(2),
-        Err(Failure(text)) => {
+        Err(Failure::Wrong(text)) => {
             eprintln!("error: {text}");
             ExitCode::from(1)
+        }
+        Err(Failure::Misused(text)) => {
+            eprintln!("error: {text}");
+            ExitCode::from(3)
         }
     }
 }
@@ -194,6 +197,12 @@ fn dispatch(command: &Command) -> Result<End, Failure> {
     }
 }
 
+/// Refuses to read standard input twice: the second reader would find nothing.
+fn one_standard_input<'a>(paths: impl IntoIterator<Item = &'a PathBuf>) -> Result<(), Failure> {
+    let twice = paths.into_iter().filter(|path| path.as_os_str() == "-").nth(1).is_some();
+    if twice { Err(Failure::Misused("standard input can stand for one file only".into())) } else { Ok(()) }
+}
+
 /// Reads a specification; its name in messages is the path as given, with forward slashes.
 fn read_spec(path: &PathBuf, settings: Settings) -> Result<Generator, Failure> {
     let name = path.to_string_lossy().replace('\\', "/");
@@ -203,7 +212,7 @@ fn read_spec(path: &PathBuf, settings: Settings) -> Result<Generator, Failure> {
     } else {
         fs::read_to_string(path)
     };
-    let text = text.map_err(|error| Failure(format!("cannot read {name}: {error}")))?;
+    let text = text.map_err(|error| Failure::Wrong(format!("cannot read {name}: {error}")))?;
     Ok(Generator::new(&text, if name == "-" { "standard input" } else { &name }).with(settings))
 }
 

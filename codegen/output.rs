@@ -130,7 +130,9 @@ impl Output {
     }
 }
 
-/// Files of the folder that say they were generated, but are not wanted.
+/// Files of the wanted languages that say they were generated, but are not wanted.
+///
+/// A file of another language may be the work of another call, and is none of this one's business.
 fn left_over(folder: &Path, wanted: &BTreeSet<PathBuf>) -> io::Result<Vec<Difference>> {
     let entries = match fs::read_dir(folder) {
         Ok(entries) => entries,
@@ -140,9 +142,9 @@ fn left_over(folder: &Path, wanted: &BTreeSet<PathBuf>) -> io::Result<Vec<Differ
     let mut paths: Vec<PathBuf> = entries.map(|entry| entry.map(|e| e.path())).collect::<io::Result<_>>()?;
     paths.sort();
     let ours = |path: &PathBuf| {
-        let known = path.extension().is_some_and(|e| ["rs", "c", "h", "step"].iter().any(|ours| e == *ours));
-        let head = || fs::read(path).map(|text| String::from_utf8_lossy(&text[..text.len().min(1_000)]).into_owned());
-        known && head().is_ok_and(|head| head.contains(describe::GENERATED_BY))
+        let known = wanted.iter().any(|wanted| wanted.extension() == path.extension());
+        let head = || fs::read(path).map(|text| String::from_utf8_lossy(&text[..text.len().min(4_000)]).into_owned());
+        known && head().is_ok_and(|head| describe::GENERATED.iter().any(|mark| head.contains(mark)))
     };
     Ok(paths.into_iter().filter(|path| !wanted.contains(path) && ours(path)).map(Difference::LeftOver).collect())
 }

@@ -71,6 +71,8 @@ pub struct Output {
     pub delay: Option<(Constant, Range<usize>)>,
     /// Samples outside are treated as missing.
     pub range: Option<(Constant, Constant)>,
+    /// Of the range in the file, or of the name.
+    pub range_span: Range<usize>,
     /// The right-hand side as the user wrote it; empty for a plant by matrices.
     pub equation: String,
 }
@@ -194,6 +196,9 @@ impl Plant {
     }
 }
 
+/// Most states, inputs or outputs of a plant.
+const MOST: usize = 256;
+
 /// The names known so far and the mistakes found so far.
 struct Reading<'a> {
     spec: &'a Spec,
@@ -296,6 +301,14 @@ impl Reading<'_> {
             self.fit(&mut shape.inputs, m, "u", "inputs", "columns of B");
             self.fit(&mut shape.outputs, p, "y", "outputs", "rows of C");
         }
+        for (names, what) in [(&shape.states, "states"), (&shape.inputs, "inputs"), (&shape.outputs, "outputs")] {
+            if names.len() > MOST {
+                let message = format!("the plant has {} {what}", names.len());
+                let error = Diagnostic::error(codes::TOO_LARGE, spec.observer.method.span.clone(), message);
+                self.found.push(error.label(format!("at most {MOST} are designed")));
+                return None;
+            }
+        }
         let mut declare = |names: &[String], symbol: fn(usize) -> Symbol| {
             self.known.extend(names.iter().enumerate().map(|(i, name)| (name.clone(), Meaning::Symbol(symbol(i)))));
         };
@@ -369,8 +382,9 @@ impl Reading<'_> {
         let delay = self.at_least_zero(output.delay.as_ref(), "a delay", "write by how many seconds the measurement is late");
         let range = self.range(output);
         let delay = delay?.filter(|d| !d.is_zero()).zip(output.delay.as_ref().map(Quantity::span));
+        let range_span = output.range.as_ref().map_or_else(|| output.named.name.span.clone(), |(_, span)| span.clone());
         let equation = output.value.as_ref().map(one_line).unwrap_or_default();
-        Some(Output { label: label(&output.named), noise: noise?, delay, range: range?, equation })
+        Some(Output { label: label(&output.named), noise: noise?, delay, range: range?, range_span, equation })
     }
 
     fn range(&mut self, output: &spec::Output) -> Option<Option<(Constant, Constant)>> {
@@ -596,9 +610,11 @@ fn read_constant(quantity: &Quantity, known: &[(String, Meaning)], found: &mut V
         Quantity::Number(value, span) => (Constant::from(value.clone()), span.clone()),
         Quantity::Expression(text) => {
             let node = read_expression(text, known, found)?;
+            let varies = node.poly.symbols().first().map(|symbol| split::name_of(*symbol, known));
             let Ok(constant) = Constant::try_from(node.poly) else {
                 let error = Diagnostic::error(codes::NOT_CONSTANT, node.span, "a constant is needed here");
-                found.push(error.help("parameters, numbers, pi and functions of them"));
+                let error = error.label(varies.map_or_else(String::new, |name| format!("`{name}` varies")));
+                found.push(error.help("write parameters, numbers, pi and functions of them"));
                 return None;
             };
             (constant, node.span)
@@ -650,7 +666,7 @@ fn unnamed(name: &str) -> Label {
 }
 
 fn default_output(name: &str) -> Output {
-    Output { label: unnamed(name), noise: None, delay: None, range: None, equation: String::new() }
+    Output { label: unnamed(name), noise: None, delay: None, range: None, range_span: 0..0, equation: String::new() }
 }
 
 /// An expression's text on one line.

@@ -233,8 +233,9 @@ impl Spec {
 
 fn read(source: &Source, settings: Settings, found: &Found) -> Option<Spec> {
     let (document, errors) = DeTable::parse_recoverable(&source.text);
-    for error in &errors {
-        let span = error.span().unwrap_or(0..0);
+    let mut in_order: Vec<_> = errors.iter().map(|error| (error.span().unwrap_or(0..0), error)).collect();
+    in_order.sort_by_key(|(span, _)| span.start);
+    for (span, error) in in_order {
         let message = error.message().replace('\n', ", ");
         let (help, ends) = syntax_help(&message);
         found.borrow_mut().push(Diagnostic::error(codes::SYNTAX, span, message).help(help));
@@ -595,7 +596,7 @@ fn check_name(table: &Table, name: &Text, role: &str) {
         let message = format!("the {role} `{}` is not in snake_case", value.escape_debug());
         report(message, format!("generated fields carry it: write `{}`", names::snake_case(value)));
     } else if value.len() > LONGEST {
-        report(format!("the {role} `{value}` has {} letters", value.len()), format!("at most {LONGEST}, since C compilers may ignore what follows the 63rd of a longer symbol"));
+        report(format!("the {role} `{value}` has {} letters", value.len()), format!("write at most {LONGEST}: C compilers may cut long symbols"));
     } else if let Some(why) = if role == "name" { names::reserved_for_a_file(value) } else { names::reserved(value) } {
         report(format!("the {role} `{value}` is {why}"), "choose another name".into());
     } else if role != "name" && role != "output" {

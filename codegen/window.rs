@@ -16,7 +16,7 @@ pub mod solve;
 use std::ops::Range;
 
 use crate::design::Settled;
-pub use samples::{count, seconds, trimmed, whole_samples};
+pub use samples::{count, refuse_much_work, seconds, trimmed, whole_samples};
 
 /// A functional whose weights have settled.
 #[derive(Clone, Debug)]

@@ -82,6 +82,10 @@ fn second_order(name: &str, truth: &Truth) {
         let orders = [(first / second).log2(), (second / third).log2()];
         let (state, size) = (&state.label.name, sizes[i]);
         println!("{name} {state}: {first:.1e}, {second:.1e}, {third:.1e} of {size:.1e}, orders {:.2}, {:.2}", orders[0], orders[1]);
+        // Three rounding errors of the estimate itself: a weight of 1 on the newest sample has no other.
+        if first.max(second).max(third) <= 4.0 * plant::UNIT * size {
+            continue;
+        }
         // A straight line is wrong by h^2 f''/12 on average; the next term is of order h^4 for smooth
         // runs and h^3 at the jumps of the inputs, which at these sample times moves the order by less than 0.3.
         assert!(orders.iter().all(|order| (1.8..2.3).contains(order)), "{name} {state}: {orders:?}");

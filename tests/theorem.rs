@@ -111,7 +111,7 @@ impl Linear {
         whole.view_mut((0, 0), (n, n)).copy_from(&(&self.a * self.h));
         whole.view_mut((0, n), (n, m)).copy_from(&(&self.b * self.h));
         whole.view_mut((n, n + m), (m, m)).fill_with_identity();
-        let whole = whole.exp();
+        let whole = exponential(&whole);
         let part = |from: usize, width: usize| whole.view((0, from), (n, width)).into_owned();
         (part(0, n), part(n, m), part(n + m, m))
     }
@@ -146,7 +146,7 @@ impl Linear {
             };
             run.measurements.push((0..self.delays.len()).map(sample).collect());
         }
-        // Each product and sum is rounded; the Pade exponential is right to some units of its largest entries.
+        // Each product and sum is rounded; the exponential is right to some units of its largest entries.
         let (norm, roundings) = (phi.abs().max().max(1.0), (n + 2 * m + 2) as f64);
         let exponential = if self.discrete { 0.0 } else { 32.0 * norm };
         let total = largest.sum() + 2.0 * held.abs().max().max(rise.abs().max()) * m as f64;
@@ -154,6 +154,16 @@ impl Linear {
         let step = through.iter().map(|t| roundings * t + exponential * total).collect();
         (run, step)
     }
+}
+
+/// The exponential: halved until its norm is below 1/2, twenty terms of the series, squared again.
+fn exponential(matrix: &DMatrix<f64>) -> DMatrix<f64> {
+    let norm = matrix.row_iter().map(|row| row.iter().map(|x| x.abs()).sum::<f64>()).fold(0.0, f64::max);
+    let halvings = (0..60).find(|s| norm * 0.5_f64.powi(*s) < 0.5).unwrap();
+    let small = matrix * 0.5_f64.powi(halvings);
+    let identity = DMatrix::identity(matrix.nrows(), matrix.nrows());
+    let sum = (1..=20).rev().fold(identity.clone(), |sum, k| &identity + &small * sum / f64::from(k));
+    (0..halvings).fold(sum, |power, _| &power * &power)
 }
 
 fn or_zero(text: String) -> String {

@@ -8,10 +8,11 @@ use deadbeat_codegen::{Difference, Generated, Output, Report};
 use serde_json::{Value, json};
 use similar::TextDiff;
 
-use super::{Common, End, Failure, Target, print, read_spec, report, show};
+use super::{Common, End, Failure, Target, one_standard_input, print, read_spec, report, show};
 
 /// Designs every specification; all or none.
 fn designed(specs: &[PathBuf], common: &Common) -> Result<Option<Vec<(Generated, Output)>>, Failure> {
+    one_standard_input(specs)?;
     let mut all = Vec::new();
     let mut wrong = false;
     for path in specs {
@@ -29,7 +30,7 @@ fn designed(specs: &[PathBuf], common: &Common) -> Result<Option<Vec<(Generated,
         }
     }
     if let Some(twice) = first_double(&all) {
-        return Err(Failure(format!("two specifications are named `{twice}` and would write the same files")));
+        return Err(Failure::Wrong(format!("two specifications are named `{twice}` and would write the same files")));
     }
     Ok((!wrong).then_some(all))
 }
@@ -42,6 +43,7 @@ fn first_double(all: &[(Generated, Output)]) -> Option<&str> {
 
 /// `deadbeat check`
 pub fn check(specs: &[PathBuf], common: &Common) -> Result<End, Failure> {
+    one_standard_input(specs)?;
     let mut reports = Vec::new();
     for path in specs {
         reports.push(read_spec(path, common.settings())?.check());
@@ -77,7 +79,7 @@ pub fn generate(specs: &[PathBuf], target: &Target, common: &Common) -> Result<E
     let mut written = Vec::new();
     for (_, output) in all {
         let paths = output.only(&target.languages()).write_to(&target.out);
-        written.extend(paths.map_err(|error| Failure(format!("cannot write into {}: {error}", target.out.display())))?);
+        written.extend(paths.map_err(|error| Failure::Wrong(format!("cannot write into {}: {error}", target.out.display())))?);
     }
     let names: Vec<String> = written.iter().map(|path| path.display().to_string()).collect();
     print(&if common.json() {
@@ -95,7 +97,7 @@ pub fn verify(specs: &[PathBuf], target: &Target, common: &Common) -> Result<End
     let Some(all) = designed(specs, common)? else { return Ok(End::Wrong) };
     let outputs: Vec<Output> = all.into_iter().map(|(_, output)| output.only(&target.languages())).collect();
     let differences = Output::verify(&outputs, &target.out)
-        .map_err(|error| Failure(format!("cannot read {}: {error}", target.out.display())))?;
+        .map_err(|error| Failure::Wrong(format!("cannot read {}: {error}", target.out.display())))?;
     print(&if common.json() {
         let list: Vec<Value> = differences.iter().map(difference_json).collect();
         format!("{:#}\n", json!({ "differences": list }))
@@ -134,7 +136,8 @@ pub fn list(method: Option<&str>, common: &Common) -> Result<End, Failure> {
     if let Some(name) = method {
         let known = || METHODS.iter().map(|m| m.name).collect::<Vec<_>>().join(", ");
         let method = METHODS.iter().find(|m| m.name == name);
-        let method = method.ok_or_else(|| Failure(format!("there is no method `{name}`; the methods are: {}", known())))?;
+        let unknown = || Failure::Misused(format!("there is no method `{name}`; the methods are: {}", known()));
+        let method = method.ok_or_else(unknown)?;
         print(&if common.json() { format!("{:#}\n", method_json(method)) } else { page(method) });
         return Ok(End::Fine);
     }

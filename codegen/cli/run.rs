@@ -2,8 +2,8 @@
 
 use std::fmt::Write as _;
 use std::fs::File;
-use std::io::{self, BufWriter, IsTerminal as _, Read, Write as _};
-use std::path::PathBuf;
+use std::io::{self, BufWriter, IsTerminal as _, Read, Write};
+use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use clap::Args;
@@ -14,9 +14,9 @@ use deadbeat_codegen::program::{Scalar, Status};
 use serde_json::{Map, Value, json};
 
 use super::figure::Curves;
-use super::recording::Recording;
+use super::recording::{Recording, RecordingError};
 use super::replay::{Replay, Row, Sample};
-use super::{Common, End, Failure, print, read_spec, show};
+use super::{Common, End, Failure, one_standard_input, print, read_spec, show};
 
 /// Arguments of `deadbeat run`.
 #[derive(Args)]
@@ -26,10 +26,10 @@ pub struct Options {
     /// The recording, with a header row; `-` is standard input
     #[arg(long, value_name = "IN.csv")]
     log: PathBuf,
-    /// Writes the estimate
+    /// Writes the estimate; `-` is standard output
     #[arg(long, value_name = "EST.csv")]
     out: Option<PathBuf>,
-    /// Draws measurements, estimate, reference and error
+    /// Draws measurements, estimate, reference and error; `-` is standard output
     #[arg(long, value_name = "OUT.svg")]
     plot: Option<PathBuf>,
     /// An output or input that has another name in the recording, may be repeated
@@ -49,8 +49,24 @@ fn renaming(text: &str) -> Result<(String, String), String> {
     }
 }
 
+/// What is wrong with a recording, and what to do.
+fn explained(error: &RecordingError) -> Failure {
+    let help = error.help.as_ref().map_or(String::new(), |help| format!("\nhelp: {help}"));
+    Failure::Wrong(format!("{error}{help}"))
+}
+
+/// Whether a file is standard input or output.
+fn is_standard(path: &Path) -> bool {
+    path.as_os_str() == "-"
+}
+
 /// Replays a recording.
 pub fn run(options: &Options) -> Result<End, Failure> {
+    one_standard_input([&options.spec, &options.log])?;
+    let written = || options.out.iter().chain(&options.plot);
+    if written().filter(|path| is_standard(path)).count() > 1 {
+        return Err(Failure::Misused("standard output can stand for one file only".into()));
+    }
     let generated = match read_spec(&options.spec, options.common.settings())?.design() {
         Ok(generated) => generated,
         Err(report) => {
@@ -61,29 +77,29 @@ pub fn run(options: &Options) -> Result<End, Failure> {
     show(&generated.report);
     let plant = &generated.plant;
     let (source, name) = open(&options.log)?;
-    let mut recording = Recording::open(source, &name).map_err(|error| Failure(error.to_string()))?;
+    let mut recording = Recording::open(source, &name).map_err(|error| explained(&error))?;
     let columns = Columns::find(plant, options, recording.columns())?;
     let names: Vec<&str> = columns.names.iter().map(String::as_str).collect();
-    recording.select(&names).map_err(|error| Failure(error.to_string()))?;
+    recording.select(&names).map_err(|error| explained(&error))?;
 
     let mut replay = Replay::new(plant, &generated.program);
     let mut curves = Curves::new(&generated, &columns.compared());
     let mut estimate = options.out.as_ref().map(|path| Estimate::create(path, plant)).transpose()?;
     let mut progress = Progress::new();
     let mut cells = vec![0.0; names.len()];
-    while recording.next_row(&mut cells).map_err(|error| Failure(error.to_string()))? {
+    while recording.next_row(&mut cells).map_err(|error| explained(&error))? {
         let row = columns.row(&cells);
         let line = recording.line();
-        let sample = replay.feed(&row).map_err(|why| Failure(format!("{name}:{line}: {why}")))?;
+        let sample = replay.feed(&row).map_err(|why| Failure::Wrong(format!("{name}:{line}: {why}")))?;
         curves.add(&row, &sample);
         if let Some(estimate) = &mut estimate {
             estimate.write(&sample)?;
         }
         progress.show(replay.rows);
     }
-    progress.finish();
+    drop(progress);
     if replay.rows == 0 {
-        return Err(Failure(format!("{name}: the recording has no rows")));
+        return Err(Failure::Wrong(format!("{name}: the recording has no rows")));
     }
     if let Some(path) = &options.plot {
         write_text(path, &curves.figure(&generated, &replay).to_string())?;
@@ -92,7 +108,14 @@ pub fn run(options: &Options) -> Result<End, Failure> {
         estimate.finish()?;
     }
     let compared = columns.compared();
-    print(&if options.common.json() { json_report(plant, &replay, &compared) } else { text_report(&generated, &replay, &compared) });
+    let report =
+        if options.common.json() { json_report(plant, &replay, &compared) } else { text_report(&generated, &replay, &compared) };
+    // A file on standard output stays free of everything else.
+    if written().any(|path| is_standard(path)) {
+        eprint!("{report}");
+    } else {
+        print(&report);
+    }
     Ok(End::Fine)
 }
 
@@ -102,7 +125,7 @@ fn open(path: &PathBuf) -> Result<(Box<dyn Read>, String), Failure> {
     if name == "-" {
         return Ok((Box::new(io::stdin()), "standard input".into()));
     }
-    let file = File::open(path).map_err(|error| Failure(format!("cannot read {name}: {error}")))?;
+    let file = File::open(path).map_err(|error| Failure::Wrong(format!("cannot read {name}: {error}")))?;
     Ok((Box::new(file), name))
 }
 
@@ -124,10 +147,10 @@ impl Columns {
         };
         let known = |name: &str| plant.outputs.iter().map(|o| &o.label).chain(plant.inputs.iter().map(|i| &i.label)).any(|l| l.name == name);
         if let Some((name, _)) = options.map.iter().find(|(name, _)| !known(name)) {
-            return Err(Failure(format!("--map: `{name}` is neither an output nor an input of the specification")));
+            return Err(Failure::Misused(format!("--map: `{name}` is neither an output nor an input of the specification")));
         }
         if let Some((name, _)) = options.reference.iter().find(|(name, _)| plant.states.iter().all(|s| s.label.name != *name)) {
-            return Err(Failure(format!("--reference: `{name}` is not a state of the specification")));
+            return Err(Failure::Misused(format!("--reference: `{name}` is not a state of the specification")));
         }
         let timed = there.iter().any(|column| column == "t");
         let mut names: Vec<String> = if timed { vec!["t".into()] } else { Vec::new() };
@@ -166,22 +189,28 @@ impl Columns {
 /// `EST.csv` under way: written beside its place, moved there when whole.
 struct Estimate {
     path: PathBuf,
-    part: PathBuf,
-    file: BufWriter<File>,
+    /// Beside its place; `None` for standard output.
+    part: Option<PathBuf>,
+    file: BufWriter<Box<dyn Write>>,
     line: String,
     single: bool,
 }
 
 impl Estimate {
-    fn create(path: &PathBuf, plant: &Plant) -> Result<Self, Failure> {
-        let mut name = path.file_name().unwrap_or_default().to_owned();
-        name.push(".part");
-        let part = path.with_file_name(name);
-        let file = File::create(&part).map_err(|error| Failure(format!("cannot write {}: {error}", part.display())))?;
+    fn create(path: &Path, plant: &Plant) -> Result<Self, Failure> {
+        let part = (!is_standard(path)).then(|| {
+            let mut name = path.file_name().unwrap_or_default().to_owned();
+            name.push(".part");
+            path.with_file_name(name)
+        });
+        let file: Box<dyn Write> = match &part {
+            Some(part) => Box::new(File::create(part).map_err(|error| unwritable(part, &error))?),
+            None => Box::new(io::stdout()),
+        };
         let names: Vec<&str> = plant.states.iter().map(|s| s.label.name.as_str()).collect();
         let line = format!("t,{},status\n", names.join(","));
         let mut estimate =
-            Self { path: path.clone(), part, file: BufWriter::new(file), line, single: plant.scalar == Scalar::F32 };
+            Self { path: path.to_owned(), part, file: BufWriter::new(file), line, single: plant.scalar == Scalar::F32 };
         estimate.flush_line()?;
         Ok(estimate)
     }
@@ -203,24 +232,33 @@ impl Estimate {
     fn flush_line(&mut self) -> Result<(), Failure> {
         let result = self.file.write_all(self.line.as_bytes());
         self.line.clear();
-        result.map_err(|error| Failure(format!("cannot write {}: {error}", self.part.display())))
+        result.map_err(|error| unwritable(&self.path, &error))
     }
 
     fn finish(mut self) -> Result<(), Failure> {
-        let moved = self.file.flush().and_then(|()| std::fs::rename(&self.part, &self.path));
-        moved.map_err(|error| Failure(format!("cannot write {}: {error}", self.path.display())))
+        let flushed = self.file.flush();
+        let moved = flushed.and_then(|()| self.part.as_ref().map_or(Ok(()), |part| std::fs::rename(part, &self.path)));
+        moved.map_err(|error| unwritable(&self.path, &error))
     }
 }
 
 impl Drop for Estimate {
     /// What was not finished leaves nothing behind.
     fn drop(&mut self) {
-        let _ = std::fs::remove_file(&self.part);
+        let _ = self.part.as_ref().map(std::fs::remove_file);
     }
 }
 
-fn write_text(path: &PathBuf, text: &str) -> Result<(), Failure> {
-    deadbeat_codegen::write_whole(path, text).map_err(|error| Failure(format!("cannot write {}: {error}", path.display())))
+fn write_text(path: &Path, text: &str) -> Result<(), Failure> {
+    if is_standard(path) {
+        print(text);
+        return Ok(());
+    }
+    deadbeat_codegen::write_whole(path, text).map_err(|error| unwritable(path, &error))
+}
+
+fn unwritable(path: &Path, error: &io::Error) -> Failure {
+    Failure::Wrong(format!("cannot write {}: {error}", path.display()))
 }
 
 /// Rows so far, on a terminal only.
@@ -242,7 +280,11 @@ impl Progress {
         }
     }
 
-    fn finish(&self) {
+}
+
+impl Drop for Progress {
+    /// Clears the line, also in front of an error.
+    fn drop(&mut self) {
         if self.shown.is_some() {
             eprint!("\r\x1b[K");
         }

@@ -91,7 +91,7 @@ fn resolve_name(name: &str, expr: &Expr, names: &Names, found: &mut Vec<Diagnost
         (None, "pi") => return Some(Node { kind: NodeKind::Constant, poly: Atom::Pi.into(), span }),
         (Some((_, Meaning::Later)), _) => {
             Diagnostic::error(codes::UNKNOWN_NAME, span, format!("`{name}` has no value yet"))
-                .help(format!("a parameter uses those above it: move the line of `{name}` up"))
+                .help(format!("a parameter may use those on the lines above it, so `{name}` must come before it"))
         }
         (None, _) => unknown_name(name, span, names),
     };

@@ -88,7 +88,7 @@ fn refuse_unreadable(text: &str) -> Result<(), ParseError> {
     }
     if text.len() > MAX_LENGTH {
         let message = format!("the expression has {} bytes; at most {MAX_LENGTH} are read", text.len());
-        return refuse(0..text.len(), message, Some("give the plant by matrices"));
+        return refuse(0..text.len(), message, Some("split it over more states, or give a linear plant by matrices"));
     }
     let mut open = Vec::new();
     for (at, c) in text.char_indices() {
@@ -108,7 +108,15 @@ fn refuse_unreadable(text: &str) -> Result<(), ParseError> {
             'a'..='z' | 'A'..='Z' | '0'..='9' | '_' | '.' | '+' | '-' | '*' | '/' | '^' | ',' | ' ' | '\t' | '\n' | '\r' => {}
             _ => {
                 let message = format!("`{}` means nothing in an expression", c.escape_debug());
-                return refuse(here, message, Some("names, numbers, + - * / ^ ( ) and commas are all there is"));
+                let help = match c {
+                    'π' => "write `pi`",
+                    '°' => "angles are in radians: write `*pi/180`",
+                    '[' | ']' | '{' | '}' => "write parentheses: `( )`",
+                    '·' | '×' => "write `*` for a product",
+                    '²' | '³' => "write powers with `^`",
+                    _ => "names, numbers, + - * / ^ ( ) and commas are all there is",
+                };
+                return refuse(here, message, Some(help));
             }
         }
         if open.len() > MAX_DEPTH {
@@ -210,7 +218,7 @@ fn number(input: ParseStream) -> syn::Result<Expr> {
         _ => return Err(syn::Error::new(at, format!("only numbers can be written here{HELP}write 1 for true and 0 for false"))),
     };
     if !suffix.is_empty() {
-        let message = format!("an operator is missing before `{suffix}`{HELP}write `{digits}*{suffix}` for a product");
+        let message = format!("an operator is missing before `{suffix}`{HELP}write `{digits}*{suffix}` for a product; a number carries no unit");
         return Err(syn::Error::new(at, message));
     }
     let written = at.source_text().unwrap_or_default();

@@ -35,7 +35,7 @@ use crate::window::model::{Model, signals};
 use crate::window::settle::settle;
 use crate::window::minimax::best_rows;
 use crate::window::solve::{Choice, observability, output_powers};
-use crate::window::{Functional, count, seconds, trimmed, whole_samples};
+use crate::window::{Functional, count, refuse_much_work, seconds, trimmed, whole_samples};
 
 /// The registry's entry.
 pub const METHOD: Method = Method {
@@ -88,6 +88,7 @@ impl Keyed for Keys {
         let (Some(steps), Some(delays)) = (steps, delays) else { return Err(found) };
         let span = self.window.span();
         refuse_long_delays(plant, &delays, steps, &span, &mut found);
+        refuse_much_work(plant, steps, &span, &mut found);
         if !found.is_empty() {
             return Err(found);
         }
@@ -236,12 +237,22 @@ fn unobservable(plant: &Plant, rows: &Matrix, values: &[f64]) -> Diagnostic {
     let names: Vec<&str> = hidden.iter().map(|s| s.label.name.as_str()).collect();
     let outputs: Vec<&str> = plant.outputs.iter().map(|o| o.label.name.as_str()).collect();
     let smallest = values.last().copied().unwrap_or(0.0);
+    let smallest_shown = if smallest > 0.0 { format!("{smallest:.1e}") } else { "0".into() };
+    if hidden.is_empty() {
+        // Measuring one of them would not help: the samples are as good as parallel.
+        let digits = Precision::bits(VERDICT_BITS / 2).as_digits();
+        let message = format!("the outputs do not tell the states apart in {digits} digits");
+        return Diagnostic::error(codes::PRECISION, plant.sample_time.1.clone(), message)
+            .label(format!("rank {base} of {n}; smallest singular value {smallest_shown}"))
+            .measured(smallest)
+            .help("a shorter sample time, or a model without the modes that grow beyond all others within a few samples");
+    }
     let span = hidden.first().map(|s| s.label.span.clone()).filter(|s| !s.is_empty()).unwrap_or(plant.span.clone());
     let verb = if names.len() == 1 { "state" } else { "states" };
     let output = if outputs.len() == 1 { "output" } else { "outputs" };
     let message = format!("the {verb} {} cannot be estimated from the {output} {}", List(&names), List(&outputs));
     Diagnostic::error(codes::UNOBSERVABLE, span, message)
-        .label(format!("rank {base} of {n}; smallest singular value {smallest:.1e}"))
+        .label(format!("rank {base} of {n}; smallest singular value {smallest_shown}"))
         .measured(smallest)
         .help(format!("measure {} as well, or leave the part that no output shows out of the model", one_of(&names)))
 }

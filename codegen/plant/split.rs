@@ -414,7 +414,8 @@ fn sum_of(functions: &[(Node, Vec<Poly>)], row: usize) -> Node {
     Node { kind: NodeKind::Sum(terms), poly, span }
 }
 
-fn name_of(symbol: Symbol, known: &[(String, Meaning)]) -> String {
+/// What the user calls a symbol.
+pub fn name_of(symbol: Symbol, known: &[(String, Meaning)]) -> String {
     let matches = |meaning: &Meaning| matches!(meaning, Meaning::Symbol(found) if *found == symbol);
     known.iter().find(|(_, meaning)| matches(meaning)).map_or_else(|| "t".into(), |(name, _)| name.clone())
 }

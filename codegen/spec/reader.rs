@@ -137,7 +137,7 @@ impl<'a> Table<'a> {
             Ok(number) => Some(Quantity::Number(number, value.span())),
             Err(why) => {
                 let error = Diagnostic::error(codes::BAD_NUMBER, value.span(), why);
-                self.report(error.help("write a decimal number, such as 1.5e-3"));
+                self.report(error.help("write a decimal number, such as 1.5e-3, below 1.8e308"));
                 None
             }
         }

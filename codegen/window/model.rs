@@ -94,6 +94,13 @@ impl Model {
         let h = value(&plant.sample_time.0);
         let too_large = |error: &dyn std::fmt::Display| {
             let span = plant.sample_time.1.clone();
+            let fastest = h.log2_abs() + a.max_abs().log2_abs();
+            if fastest < 8.0 {
+                let far = Diagnostic::error(codes::OUT_OF_RANGE, span, "the plant's coefficients are too far apart to compute with")
+                    .label("scaling the states to similar sizes takes factors beyond 1e1233")
+                    .help("choose units in which all states and coefficients have similar sizes");
+                return vec![far];
+            }
             let fast = Diagnostic::error(codes::OUT_OF_RANGE, span, "the plant is too fast for this sample time")
                 .label(error.to_string())
                 .help("shorten the sample time, or leave the fast states out of the model");

@@ -47,6 +47,30 @@ fn not_whole(ratio: f64, span: &Range<usize>, what: &str, h: f64) -> Diagnostic 
         .help(help)
 }
 
+/// The most weights that are designed: 1.6 MB as doubles, more than any target of a step has.
+const MOST_WEIGHTS: usize = 200_000;
+
+/// The most steps of the design's longest loops, about half a minute.
+const MOST_WORK: usize = 20_000_000;
+
+/// Samples whose loops cost as much as the exponential does.
+const EXPONENTIAL: usize = 40;
+
+/// Reports a window that would take minutes to design, for a step that no target can hold.
+pub fn refuse_much_work(plant: &Plant, steps: usize, span: &Range<usize>, found: &mut Vec<Diagnostic>) {
+    let (n, p) = (plant.states.len(), plant.outputs.len());
+    let signals = p + plant.inputs.len() + plant.injections.len();
+    let by_weights = (MOST_WEIGHTS / (n * signals)).saturating_sub(1);
+    let by_work = (MOST_WORK / (n * n * (n + p))).saturating_sub(EXPONENTIAL);
+    let most = by_weights.min(by_work);
+    if steps > most {
+        let message = "the window is too long for a plant of this size";
+        let label = format!("{steps} samples of {n} states; at most {most} are designed");
+        let error = Diagnostic::error(codes::WINDOW_TOO_LONG, span.clone(), message).label(label).measured(count(steps));
+        found.push(error.help("a shorter window, a longer sample time, or fewer states"));
+    }
+}
+
 /// The ratio of two times, when it is a whole number: exactly if both are rational, else to 30 digits.
 fn exactly_whole(time: &Constant, h: &Constant) -> Option<usize> {
     if let (Some(time), Some(h)) = (time.as_rational(), h.as_rational()) {

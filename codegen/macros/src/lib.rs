@@ -9,6 +9,7 @@ use deadbeat_codegen::describe;
 use deadbeat_codegen::emit::{self, Door};
 use deadbeat_codegen::{Generator, Settings};
 use proc_macro::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
+use syn::parse::{ParseStream, Parser as _};
 
 /// Expands to the observer of a specification: `Measurements`, `Inputs`, `Estimate`, `Observer`.
 ///
@@ -49,9 +50,14 @@ fn expand(arguments: &str) -> Result<String, String> {
 /// `"path"`, then settings as TOML, one behind each comma.
 fn read_arguments(arguments: &str) -> Result<(String, Settings), String> {
     let usage = || "write observer!(\"path/to/spec.toml\") or observer!(\"path/to/spec.toml\", scalar = \"f64\")".to_owned();
-    let (path, rest) = arguments.split_once(',').unwrap_or((arguments, ""));
-    let path: syn::LitStr = syn::parse_str(path.trim()).map_err(|_| usage())?;
-    let settings = rest.split(',').map(str::trim).collect::<Vec<_>>().join("\n");
+    let parts = |input: ParseStream| {
+        let path: syn::LitStr = input.parse()?;
+        let comma: Option<syn::Token![,]> = input.parse()?;
+        let rest: proc_macro2::TokenStream = if comma.is_some() { input.parse()? } else { Default::default() };
+        Ok((path, rest))
+    };
+    let (path, rest) = parts.parse_str(arguments).map_err(|_| usage())?;
+    let settings = rest.to_string().split(',').map(str::trim).collect::<Vec<_>>().join("\n");
     let settings = Settings::from_toml(&settings).map_err(|error| format!("{error}\n{}", usage()))?;
     Ok((path.value(), settings))
 }

@@ -37,7 +37,11 @@ impl Guard {
         let Some(bound) = bound else {
             let message = format!("the gains, up to {gain:.1e}, are too large for {}", plant.scalar);
             let error = Diagnostic::error(codes::OUT_OF_RANGE, plant.span.clone(), message).measured(gain);
-            return Err(vec![error.help("a longer window")]);
+            let help = match plant.scalar {
+                Scalar::F32 => "a longer window, states in larger units, or `scalar = \"f64\"`",
+                Scalar::F64 => "a longer window, or states in larger units",
+            };
+            return Err(vec![error.help(help)]);
         };
         let mut found = Vec::new();
         let outputs: Vec<(f64, f64)> = plant.outputs.iter().map(|o| output_range(plant, o, bound, &mut found)).collect();
@@ -56,7 +60,7 @@ fn output_range(plant: &Plant, output: &crate::plant::Output, bound: f64, found:
     let (low, high) = (round(low, plant.scalar), round(high, plant.scalar));
     if !(low >= -bound && high <= bound) {
         let message = format!("the range of `{}` is wider than can be computed with", output.label.name);
-        let error = Diagnostic::error(codes::OUT_OF_RANGE, output.label.span.clone(), message);
+        let error = Diagnostic::error(codes::OUT_OF_RANGE, output.range_span.clone(), message);
         let largest = format!("at most ±{bound:.0e} in {}", plant.scalar);
         found.push(error.label(largest).help("narrow the range to what the sensor can show"));
     }

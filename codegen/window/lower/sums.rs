@@ -13,6 +13,7 @@ use crate::program::builder::Builder;
 use crate::program::{CellId, Value};
 
 use super::super::{Functional, Weights};
+use super::window_len;
 
 /// Ages from which on a loop is shorter than its contents.
 const SHORTEST_LOOP: usize = 8;
@@ -34,8 +35,7 @@ pub fn estimate(
     b: &mut Builder,
     plant: &Plant,
     functional: &Functional,
-    outputs: &[CellId],
-    signals: &[CellId],
+    (outputs, signals): (&[CellId], &[CellId]),
     newest: Value,
 ) -> Vec<Value> {
     b.section("the sums over the window, newest sample first");
@@ -45,7 +45,7 @@ pub fn estimate(
         .map(|((output, weights), ring)| Track { name: output.label.name.clone(), ring: *ring, weights })
         .chain(known.map(|((signal, weights), ring)| Track { name: signal.text.clone(), ring: *ring, weights }))
         .collect();
-    let len = u32::try_from(functional.steps + 1).unwrap_or_else(|_| unreachable!("the window's length is bounded"));
+    let len = window_len(functional);
     let apart = pairs(&tracks) <= MOST_SUMS;
     let loops = if apart { 1 } else { tracks.len().max(1) };
     let mut sums = Sums::new();

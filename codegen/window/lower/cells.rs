@@ -1,0 +1,92 @@
+//! The state of a window method, and its names.
+
+use crate::plant::Plant;
+use crate::program::CellId;
+use crate::program::builder::Builder;
+
+use super::super::Functional;
+use super::{injections, late_len, window_len};
+
+/// The cells of a window method.
+pub(super) struct Cells {
+    /// Per output: samples by slot.
+    pub(super) outputs: Vec<CellId>,
+    /// Per signal: values by slot.
+    pub(super) signals: Vec<CellId>,
+    /// Per input: the last good value, where no ring holds it.
+    pub(super) inputs: Vec<CellId>,
+    /// Slot of age 0.
+    pub(super) newest: CellId,
+    /// Good samples in a row, at most N+1.
+    pub(super) count: CellId,
+    /// Calls until no replaced sample is in the window.
+    pub(super) coasting: CellId,
+    /// Per output: the next measurement, as far as it is known; by slot for a late one.
+    pub(super) ahead: Vec<CellId>,
+    /// Per late output: slot in the ring above.
+    pub(super) late: Vec<Option<CellId>>,
+    /// Calls since init.
+    pub(super) calls: CellId,
+}
+
+/// Declares the cells; those that nothing reads are left out of the Program.
+pub(super) fn declare(builder: &mut Builder, plant: &Plant, functional: &Functional) -> Cells {
+    let window = window_len(functional);
+    let scalar = plant.scalar;
+    let outputs = plant.outputs.iter().enumerate().map(|(o, output)| {
+        let doc = format!("samples of {} by slot{}", output.label.name, bracketed(&output.label.unit));
+        builder.ring(&output.label.name, &doc, window, injections::initial_output(plant, o, scalar))
+    });
+    let outputs = outputs.collect();
+    let signals = functional.signals.iter().map(|signal| {
+        builder.ring(&identifier(&signal.text), &format!("{} by slot", signal.text), window, 0.0)
+    });
+    let signals = signals.collect();
+    let inputs = plant.inputs.iter().map(|input| {
+        builder.float_cell(&format!("last_{}", input.label.name), "the last good value", 0.0)
+    });
+    let inputs = inputs.collect();
+    let newest = builder.index_cell("newest", "slot of age 0", window - 1);
+    let most = longest_count(functional);
+    let count = builder.index_cell("count", &format!("good samples in a row, then predicted ones too, at most {most}"), 0);
+    let coasting = builder.index_cell("coasting", "calls until no replaced sample is in the window", 0);
+    let mut ahead = Vec::new();
+    let mut late = Vec::new();
+    for (o, output) in plant.outputs.iter().enumerate() {
+        let name = &output.label.name;
+        if functional.delays[o] == 0 {
+            ahead.push(builder.float_cell(&format!("ahead_{name}"), &format!("the next {name}, as far as it is known"), 0.0));
+            late.push(None);
+        } else {
+            let len = late_len(functional, o);
+            ahead.push(builder.ring(&format!("ahead_{name}"), &format!("{name} as it will arrive, by slot"), len, 0.0));
+            late.push(Some(builder.index_cell(&format!("ahead_{name}_slot"), "slot of the oldest of these", 0)));
+        }
+    }
+    let calls = builder.index_cell("calls", "calls since init", 0);
+    Cells { outputs, signals, inputs, newest, count, coasting, ahead, late, calls }
+}
+
+fn bracketed(unit: &str) -> String {
+    if unit.is_empty() { String::new() } else { format!(", {unit}") }
+}
+
+/// An expression's text as a name.
+fn identifier(text: &str) -> String {
+    const LONGEST: usize = 32;
+    let mut name = String::new();
+    for c in text.chars() {
+        if c.is_ascii_alphanumeric() {
+            name.push(c.to_ascii_lowercase());
+        } else if !name.ends_with('_') {
+            name.push('_');
+        }
+    }
+    let name = name.trim_matches('_');
+    let starts_well = name.starts_with(|c: char| c.is_ascii_lowercase());
+    if starts_well && name.len() <= LONGEST && crate::emit::names::reserved(name).is_none() {
+        name.to_owned()
+    } else {
+        "injection".to_owned()
+    }
+}

@@ -1,0 +1,57 @@
+//! How much of the window is good: when the estimate has converged, and for how long it coasts.
+
+use crate::program::Value;
+
+use super::super::Functional;
+use super::{Lowering, Sampled, late_len, window_len};
+
+impl Lowering<'_> {
+    /// Good samples in a row, or how the window starts again.
+    pub(super) fn count(&mut self, sampled: &Sampled) -> Value {
+        let window = self.window();
+        self.builder.section("how much of the window is good");
+        let before = self.builder.read(self.cells.count);
+        let converged = self.counted(before, window);
+        let (none, one) = (self.builder.index(0), self.builder.index(1));
+        let more = self.builder.count_up(before, longest_count(self.functional));
+        let kept = self.builder.select(sampled.lost, none, more);
+        let grown = self.builder.select(sampled.interval_good, more, one);
+        let growing = self.builder.select(sampled.samples_good, grown, none);
+        let count = self.builder.select(converged, kept, growing);
+        self.builder.set(self.cells.count, count);
+        self.coast(sampled);
+        count
+    }
+
+    /// Whether the count has come to so many calls.
+    pub(super) fn counted(&mut self, count: Value, calls: u32) -> Value {
+        let below = self.builder.index(calls - 1);
+        self.builder.index_less(below, count)
+    }
+
+    /// Calls until no replaced sample is in the window.
+    fn coast(&mut self, sampled: &Sampled) {
+        let window = self.window();
+        let before = self.builder.read(self.cells.coasting);
+        let mut coasting = self.builder.count_down(before);
+        let interval = self.builder.index(window - 1);
+        coasting = self.builder.select(sampled.interval_good, coasting, interval);
+        for (o, good) in &sampled.late {
+            // A late sample leaves the window earlier.
+            let stays = window - late_len(self.functional, *o);
+            let stays = self.builder.index(stays);
+            let longer = self.builder.index_less(coasting, stays);
+            let raised = self.builder.select(longer, stays, coasting);
+            coasting = self.builder.select(*good, coasting, raised);
+        }
+        let stays = self.builder.index(window);
+        coasting = self.builder.select(sampled.newest_good, coasting, stays);
+        self.builder.set(self.cells.coasting, coasting);
+    }
+}
+
+/// Where the count ends: at a full window, or where every late output has a prediction.
+pub(super) fn longest_count(functional: &Functional) -> u32 {
+    let latest = (0..functional.delays.len()).map(|o| late_len(functional, o)).max().unwrap_or(0);
+    window_len(functional) - 1 + latest.max(1)
+}

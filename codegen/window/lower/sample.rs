@@ -1,0 +1,167 @@
+//! The first half of a step: reads the samples, guards them, predicts those that are missing, and
+//! evaluates the injections.
+
+use crate::plant::Hold;
+use crate::program::Value;
+
+use super::super::{Part, Source};
+use super::injections::{Injections, Moment};
+use super::{Lowering, Sampled, late_len, place};
+
+/// The signals of this call, as far as they are known.
+struct Signals<'a> {
+    injections: Injections<'a>,
+    /// Per signal.
+    values: Vec<Option<Value>>,
+    /// Whether what was sampled now was good: one per sample that may be bad.
+    now: Vec<Value>,
+    /// Whether what was applied since the last call was good.
+    since: Vec<Value>,
+}
+
+impl<'a> Lowering<'a> {
+    /// Reads, guards, predicts and evaluates.
+    pub(super) fn sample(&mut self) -> Sampled {
+        let window = self.window();
+        self.builder.section("samples: outside its range, infinite or NaN means missing");
+        let before = self.builder.read(self.cells.newest);
+        let before = self.builder.at_most(before, window - 1);
+        let count = self.builder.read(self.cells.count);
+        let converged = self.counted(count, window);
+        let outputs = self.plant.outputs.len();
+        let (measured, good): (Vec<Value>, Vec<Value>) = (0..outputs).map(|o| self.read_output(o)).unzip();
+        let mut signals = self.read_signals(before);
+
+        self.builder.section("prediction, for a sample that is missing");
+        let newest = self.builder.advance(before, window);
+        self.known_before_the_samples(&mut signals, before);
+        let predicted: Vec<Value> = (0..outputs).map(|o| self.predict(o, &signals.values)).collect();
+        let last: Vec<Value> = self.cells.outputs.clone().iter().map(|ring| self.builder.read_ring(*ring, before)).collect();
+        let candidates: Vec<Value> = (0..outputs)
+            .map(|o| {
+                let instead = self.builder.select(converged, predicted[o], last[o]);
+                self.builder.select(good[o], measured[o], instead)
+            })
+            .collect();
+        self.known_with_the_samples(&mut signals, before, &candidates);
+        let values: Vec<Value> = signals.values.into_iter().flatten().collect();
+        let mut lost = Vec::new();
+        let stored = (0..outputs)
+            .map(|o| {
+                let refined = self.refine(o, predicted[o], &values, before);
+                let (low, high) = self.guard.outputs[o];
+                let sane = self.builder.in_range(refined, low, high);
+                // A late sample is predicted from an estimate of some calls ago, which must have converged.
+                let known = self.counted(count, window - 1 + late_len(self.functional, o).max(1));
+                let usable = self.builder.and(known, sane);
+                let instead = self.builder.select(usable, refined, last[o]);
+                let covered = self.builder.or(good[o], usable);
+                lost.push(self.builder.not(covered));
+                self.builder.select(good[o], measured[o], instead)
+            })
+            .collect();
+
+        let (late, on_time): (Vec<_>, Vec<_>) = good.into_iter().enumerate().partition(|(o, _)| self.functional.delays[*o] > 0);
+        let on_time: Vec<Value> = on_time.into_iter().map(|(_, good)| good).chain(signals.now).collect();
+        let newest_good = self.all(&on_time);
+        let samples_good = late.iter().fold(newest_good, |all, (_, good)| self.builder.and(all, *good));
+        let interval_good = self.all(&signals.since);
+        let lost = self.any(&lost);
+        Sampled { newest, samples_good, interval_good, newest_good, late, lost, outputs: stored, signals: values }
+    }
+
+    fn all(&mut self, values: &[Value]) -> Value {
+        let first = self.builder.boolean(true);
+        values.iter().fold(first, |sum, value| self.builder.and(sum, *value))
+    }
+
+    fn any(&mut self, values: &[Value]) -> Value {
+        let first = self.builder.boolean(false);
+        values.iter().fold(first, |sum, value| self.builder.or(sum, *value))
+    }
+
+    fn read_output(&mut self, output: usize) -> (Value, Value) {
+        let value = self.builder.read_measurement(place(output));
+        let (low, high) = self.guard.outputs[output];
+        (value, self.builder.in_range(value, low, high))
+    }
+
+    /// The inputs, with the last good value in place of a bad one.
+    fn read_signals(&mut self, before: Value) -> Signals<'a> {
+        let mut signals = Signals {
+            injections: Injections::new(self.plant, self.cells.calls, Vec::new()),
+            values: vec![None; self.functional.signals.len()],
+            now: Vec::new(),
+            since: Vec::new(),
+        };
+        for (u, input) in self.plant.inputs.iter().enumerate() {
+            let (value, good) = self.read_input(u, before);
+            signals.injections.inputs.push(value);
+            if input.hold == Hold::Zero { signals.since.push(good) } else { signals.now.push(good) }
+        }
+        signals
+    }
+
+    fn read_input(&mut self, u: usize, before: Value) -> (Value, Value) {
+        let value = self.builder.read_input(place(u));
+        let good = self.builder.in_range(value, -self.guard.bound, self.guard.bound);
+        if let Some(s) = self.functional.signals.iter().position(|s| s.source == Source::Input(u)) {
+            let last = self.builder.read_ring(self.cells.signals[s], before);
+            return (self.builder.select(good, value, last), good);
+        }
+        let last = self.builder.read(self.cells.inputs[u]);
+        let used = self.builder.select(good, value, last);
+        self.builder.set(self.cells.inputs[u], used);
+        (used, good)
+    }
+
+    /// Signals that need no sample of this call: inputs, what is constant since the last call, and
+    /// the starts of intervals.
+    fn known_before_the_samples(&mut self, signals: &mut Signals, before: Value) {
+        for (s, signal) in self.functional.signals.iter().enumerate() {
+            let moment = match (signal.part, signal.source) {
+                (Part::Start, _) => Moment::Before(before),
+                (Part::Held, _) | (_, Source::Input(_)) => Moment::Now,
+                _ => continue,
+            };
+            let (value, good) = self.signal(s, signals, &moment, before, &[]);
+            signals.since.extend(good);
+            signals.values[s] = Some(value);
+        }
+    }
+
+    /// Signals that depend on the samples of this call.
+    fn known_with_the_samples(&mut self, signals: &mut Signals, before: Value, samples: &[Value]) {
+        for (s, signal) in self.functional.signals.iter().enumerate() {
+            if signals.values[s].is_some() {
+                continue;
+            }
+            let (value, good) = self.signal(s, signals, &Moment::Now, before, samples);
+            if signal.part == Part::Runs { signals.now.extend(good) } else { signals.since.extend(good) }
+            signals.values[s] = Some(value);
+        }
+    }
+
+    /// The value of a signal, with the last good one in place of a bad one; and whether it was good, where it
+    /// may be bad.
+    fn signal(
+        &mut self,
+        s: usize,
+        signals: &Signals,
+        moment: &Moment,
+        before: Value,
+        samples: &[Value],
+    ) -> (Value, Option<Value>) {
+        let k = match self.functional.signals[s].source {
+            Source::Input(u) => return (signals.injections.inputs[u], None),
+            Source::Injection(k) => k,
+        };
+        let value = signals.injections.evaluate(&mut self.builder, k, moment, samples, &self.cells.outputs);
+        if !self.guard.injections[k] {
+            return (value, None);
+        }
+        let good = self.builder.in_range(value, -self.guard.bound, self.guard.bound);
+        let last = self.builder.read_ring(self.cells.signals[s], before);
+        (self.builder.select(good, value, last), Some(good))
+    }
+}
