@@ -28,7 +28,8 @@ pub fn parse(text: &str) -> Result<RBig, String> {
         return Err(format!("a number of {} digits; at most {MAX_DIGITS} are read", all.len()));
     }
     let scale = exponent - i32::try_from(fraction.len()).unwrap_or(i32::MAX);
-    let magnitude = UBig::from_str_radix(&all, 10).map_err(|_| format!("`{}` is not a decimal number", shorten(text)))?;
+    let magnitude =
+        UBig::from_str_radix(&all, 10).map_err(|_| format!("`{}` is not a decimal number", shorten(text)))?;
     let signed = if negative { -IBig::from(magnitude) } else { IBig::from(magnitude) };
     let power = UBig::from(10_u8).pow(scale.unsigned_abs() as usize);
     Ok(if scale >= 0 { RBig::from(signed * IBig::from(power)) } else { RBig::from_parts(signed, power) })
@@ -38,7 +39,11 @@ pub fn parse(text: &str) -> Result<RBig, String> {
 pub fn show(value: f64) -> String {
     let short: f64 = format!("{value:.8e}").parse().unwrap_or(value);
     let size = short.abs();
-    if size == 0.0 || !size.is_finite() || (1e-5..1e9).contains(&size) { short.to_string() } else { format!("{short:e}") }
+    if size == 0.0 || !size.is_finite() || (1e-5..1e9).contains(&size) {
+        short.to_string()
+    } else {
+        format!("{short:e}")
+    }
 }
 
 fn exponent_of(text: &str) -> Option<i32> {

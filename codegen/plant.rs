@@ -355,7 +355,14 @@ impl Reading<'_> {
         self.not_below_zero(&value, quantity, what, false, "write the seconds between two calls").then_some(value)
     }
 
-    fn not_below_zero(&mut self, value: &Constant, quantity: &Quantity, what: &str, zero_is_fine: bool, help: &str) -> bool {
+    fn not_below_zero(
+        &mut self,
+        value: &Constant,
+        quantity: &Quantity,
+        what: &str,
+        zero_is_fine: bool,
+        help: &str,
+    ) -> bool {
         let number = value.to_f64().unwrap_or(f64::NAN);
         if number > 0.0 || (zero_is_fine && number == 0.0) {
             return true;
@@ -379,7 +386,8 @@ impl Reading<'_> {
 
     fn output(&mut self, output: &spec::Output) -> Option<Output> {
         let noise = self.at_least_zero(output.noise.as_ref(), "the bound of the noise", "write its largest magnitude");
-        let delay = self.at_least_zero(output.delay.as_ref(), "a delay", "write by how many seconds the measurement is late");
+        let delay =
+            self.at_least_zero(output.delay.as_ref(), "a delay", "write by how many seconds the measurement is late");
         let range = self.range(output);
         let delay = delay?.filter(|d| !d.is_zero()).zip(output.delay.as_ref().map(Quantity::span));
         let range_span = output.range.as_ref().map_or_else(|| output.named.name.span.clone(), |(_, span)| span.clone());
@@ -397,7 +405,9 @@ impl Reading<'_> {
             return Some(Some((low, high)));
         }
         let message = format!("the range from {} to {} is empty", decimal::show(values.0), decimal::show(values.1));
-        self.found.push(Diagnostic::error(codes::BAD_NUMBER, span.clone(), message).help("write `range = [lowest, highest]`"));
+        self.found.push(
+            Diagnostic::error(codes::BAD_NUMBER, span.clone(), message).help("write `range = [lowest, highest]`"),
+        );
         None
     }
 
@@ -437,10 +447,15 @@ impl Reading<'_> {
         if rows.len() != height || widths != BTreeSet::from([width]) || height == 0 || width == 0 {
             let list: Vec<String> = widths.iter().map(usize::to_string).collect();
             let (message, help) = match letter {
-                _ if height == 0 || width == 0 => (format!("{letter} is empty"), "write a list of rows, such as `[[0, 1], [0, 0]]`"),
+                _ if height == 0 || width == 0 => {
+                    (format!("{letter} is empty"), "write a list of rows, such as `[[0, 1], [0, 0]]`")
+                }
                 "A" => ("A must be square".into(), "A has one row and one column per state"),
                 "B" => (format!("B must be {height} x {width}"), "B has one row per state and one column per input"),
-                _ => (format!("{letter} must be {height} x {width}"), "C has one row per output and one column per state"),
+                _ => (
+                    format!("{letter} must be {height} x {width}"),
+                    "C has one row per output and one column per state",
+                ),
             };
             let plural = if rows.len() == 1 { "" } else { "s" };
             let label = match list.as_slice() {
@@ -474,10 +489,8 @@ impl Reading<'_> {
             unknowns: spec.unknowns.len(),
             disturbances: spec.disturbances.len(),
         };
-        let sides: Vec<Option<split::Side>> = rights
-            .iter()
-            .map(|right| split::side(right, &measurable, sizes, &self.known, &mut self.found))
-            .collect();
+        let sides: Vec<Option<split::Side>> =
+            rights.iter().map(|right| split::side(right, &measurable, sizes, &self.known, &mut self.found)).collect();
         let sides: Vec<split::Side> = sides.into_iter().collect::<Option<_>>()?;
         self.assemble(&rights, sides, c)
     }
@@ -496,7 +509,11 @@ impl Reading<'_> {
                 _ => {
                     let message = "an output must be linear in the states";
                     let what = split::shortened(split::describe(&varying, &self.known));
-                    let label = if what.is_empty() { "this adds a constant".to_owned() } else { format!("this contains `{what}`") };
+                    let label = if what.is_empty() {
+                        "this adds a constant".to_owned()
+                    } else {
+                        format!("this contains `{what}`")
+                    };
                     let span = split::culprit(&node, &varying, varying.symbols().first().copied());
                     let error = Diagnostic::error(codes::OUTPUT_NOT_LINEAR, span, message).label(label);
                     let help = "write a sum of states with constant factors; undo offsets and curves of the sensor before the call";
@@ -507,7 +524,8 @@ impl Reading<'_> {
         }
         if row.iter().all(Poly::is_zero) {
             let error = Diagnostic::error(codes::OUTPUT_NOT_LINEAR, node.span, "this output shows no state");
-            self.found.push(error.label("everything in it cancels").help("write a sum of states with constant factors"));
+            self.found
+                .push(error.label("everything in it cancels").help("write a sum of states with constant factors"));
             return None;
         }
         self.constants(row, &text.span)
@@ -567,7 +585,10 @@ impl Reading<'_> {
         for (k, unknown) in self.spec.unknowns.iter().enumerate() {
             if parts.gammas.get(k).is_some_and(|gamma| gamma.iter().all(Poly::is_zero)) {
                 let message = format!("the unknown `{}` enters no equation", unknown.name.value);
-                self.found.push(Diagnostic::error(codes::UNUSED, unknown.name.span.clone(), message).help("remove it, or use it in a derivative"));
+                self.found.push(
+                    Diagnostic::error(codes::UNUSED, unknown.name.span.clone(), message)
+                        .help("remove it, or use it in a derivative"),
+                );
             }
         }
         for (i, input) in self.spec.inputs.iter().enumerate() {
@@ -631,7 +652,10 @@ fn exists(constant: &Constant, span: &Range<usize>, found: &mut Vec<Diagnostic>)
         Ok(_) => return true,
     };
     // A part that was reported already spoils what it is part of.
-    if !found.iter().any(|d| d.code == codes::DOMAIN && span.start <= d.labels[0].span.start && d.labels[0].span.end <= span.end) {
+    if !found
+        .iter()
+        .any(|d| d.code == codes::DOMAIN && span.start <= d.labels[0].span.start && d.labels[0].span.end <= span.end)
+    {
         found.push(Diagnostic::error(codes::DOMAIN, span.clone(), "this constant has no usable value").label(why));
     }
     false

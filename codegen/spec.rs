@@ -421,7 +421,8 @@ fn read_change(entry: &mut Table, matrices: Option<&Matrices>, kinds: &mut [Opti
         (Some(text), Some(_)) => {
             let message = "a plant by matrices has no equations";
             entry.report(
-                Diagnostic::error(codes::BAD_COMBINATION, text.span.clone(), message).help("leave out this key, or `[plant]`"),
+                Diagnostic::error(codes::BAD_COMBINATION, text.span.clone(), message)
+                    .help("leave out this key, or `[plant]`"),
             );
         }
         (None, None) if !entry.has("derivative") && !entry.has("next") => {
@@ -455,8 +456,12 @@ fn read_outputs(top: &mut Table, by_matrices: bool) -> Vec<Output> {
         let value = entry.text("value");
         match (&value, by_matrices) {
             (Some(text), true) => entry.report(
-                Diagnostic::error(codes::BAD_COMBINATION, text.span.clone(), "a plant by matrices has its outputs in `C`")
-                    .help("leave out this key, or `[plant]`"),
+                Diagnostic::error(
+                    codes::BAD_COMBINATION,
+                    text.span.clone(),
+                    "a plant by matrices has its outputs in `C`",
+                )
+                .help("leave out this key, or `[plant]`"),
             ),
             (None, false) if !entry.has("value") => {
                 entry.missing("value", "write `value = '…'`, linear in the states");
@@ -469,7 +474,9 @@ fn read_outputs(top: &mut Table, by_matrices: bool) -> Vec<Output> {
             && limits.len() != 2
         {
             let message = format!("`range` needs two numbers, {} given", limits.len());
-            entry.report(Diagnostic::error(codes::WRONG_TYPE, span.clone(), message).help("write `range = [lowest, highest]`"));
+            entry.report(
+                Diagnostic::error(codes::WRONG_TYPE, span.clone(), message).help("write `range = [lowest, highest]`"),
+            );
         }
         output
     });
@@ -526,7 +533,9 @@ fn read_observer(top: &mut Table) -> Option<Observer> {
     match entries.as_slice() {
         [] => {
             let error = Diagnostic::error(codes::MISSING_KEY, table.span(), "[observer] names no method");
-            table.report(error.help("write `[observer.window]` with `window = …` s, or another method (`deadbeat list`)"));
+            table.report(
+                error.help("write `[observer.window]` with `window = …` s, or another method (`deadbeat list`)"),
+            );
             None
         }
         [(name, value)] => {
@@ -592,11 +601,18 @@ fn check_name(table: &Table, name: &Text, role: &str) {
     let report = |message: String, help: String| {
         table.report(Diagnostic::error(codes::BAD_NAME, name.span.clone(), message).help(help));
     };
-    if !value.starts_with(|c: char| c.is_ascii_lowercase()) || !value.chars().all(snake) || value.contains("__") || value.ends_with('_') {
+    if !value.starts_with(|c: char| c.is_ascii_lowercase())
+        || !value.chars().all(snake)
+        || value.contains("__")
+        || value.ends_with('_')
+    {
         let message = format!("the {role} `{}` is not in snake_case", value.escape_debug());
         report(message, format!("generated fields carry it: write `{}`", names::snake_case(value)));
     } else if value.len() > LONGEST {
-        report(format!("the {role} `{value}` has {} letters", value.len()), format!("write at most {LONGEST}: C compilers may cut long symbols"));
+        report(
+            format!("the {role} `{value}` has {} letters", value.len()),
+            format!("write at most {LONGEST}: C compilers may cut long symbols"),
+        );
     } else if let Some(why) = if role == "name" { names::reserved_for_a_file(value) } else { names::reserved(value) } {
         report(format!("the {role} `{value}` is {why}"), "choose another name".into());
     } else if role != "name" && role != "output" {

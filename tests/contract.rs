@@ -252,7 +252,7 @@ fn line_01_no_heap_no_recursion_no_globals_no_library() {
 /// calls, without optimisation and with it, and the flash of a step are at most what is printed.
 #[test]
 fn line_02_the_printed_cost_is_a_bound() {
-    let mut wrong = Vec::new();
+    let (mut wrong, mut tightest) = (Vec::new(), Vec::new());
     for subject in subjects() {
         let cost = counted(subject);
         for suffix in ["h", "rs", "step"] {
@@ -275,10 +275,12 @@ fn line_02_the_printed_cost_is_a_bound() {
     for object in objects() {
         let used = stack(object);
         let printed = counted(object.subject).stack_bytes;
+        tightest.push((used * 100 / printed, object.label()));
         if used > printed {
             wrong.push(format!("{}: stack {used} bytes, printed {printed}", object.label()));
         }
     }
+    eprintln!("the tightest bound on the stack, in percent: {:?}", tightest.iter().max());
     let jobs: Vec<(&Subject, &str)> =
         c_compilers().into_iter().flat_map(|it| subjects().iter().map(move |subject| (subject, it))).collect();
     wrong.extend(side_by_side(&jobs, |(subject, compiler)| flash(subject, compiler)).into_iter().flatten());
@@ -539,7 +541,7 @@ fn numbers(text: &str, name: &str, end: &str, scalar: Scalar) -> Vec<u64> {
 }
 
 /// Claim: no warning as C99 (every object of these tests is compiled so) and as C++, from rustc and
-/// from clippy::pedantic, and no allow list in the files.
+/// from `clippy::pedantic`, and no allow list in the files.
 #[test]
 fn line_06_no_warnings() {
     assert!(!objects().is_empty(), "a C compiler is needed: gcc or clang");
@@ -742,13 +744,11 @@ fn abuse(subject: &Subject, steps: usize) {
             let plausible = span.centre + span.amplitude * random.signed();
             let any = any_bits(subject.scalar(), random.bits());
             match step / PHASE % 4 {
-                0 => plausible,
                 1 => any,
                 2 if random.one_in(8) => any,
                 2 if random.one_in(8) => random.among(&ODD),
-                2 => plausible,
-                _ if random.one_in(64) => plausible,
-                _ => f64::NAN,
+                3 if !random.one_in(64) => f64::NAN,
+                _ => plausible,
             }
         };
         let measurements: Vec<f64> = measured.iter().map(&mut number).collect();

@@ -212,11 +212,90 @@ sample_time = 0.01
 
 /// What a mutation may write instead of a word of the text.
 const WORDS: [&str; 84] = [
-    "1e308", "1e-308", "0", "-1", "1e400", "1e-400", "99999999999999999999", "1e300", "-1e300", "1e-300", "0.1", "3", "64", "1e9", "nan",
-    "-inf", "0x10", "1_000", ".5", "5.", "''", "'", "\"", "\"\"\"", "'''", "[", "]", "[[", "]]", "{", "}", "{}", "(", ")", "=", ",", ".", "#",
-    "\\", "\\u0000", "+", "-", "*", "/", "^", "**", "//", "t", "pi", "sin", "cos(", "tan(x)", "asin(2)", "acos(q)", "log(0)", "sqrt(-1)",
-    "exp(1e9)", "atan2(0, 0)", "min(x, v)", "max", "sign(x)", "abs(v)", "tanh(q)", "x", "v", "q", "dq", "u", "force", "w", "level", "derivative",
-    "next", "value", "delay", "range", "noise", "bound", "window", "states", "outputs", "unknowns", "q = {}", "true",
+    "1e308",
+    "1e-308",
+    "0",
+    "-1",
+    "1e400",
+    "1e-400",
+    "99999999999999999999",
+    "1e300",
+    "-1e300",
+    "1e-300",
+    "0.1",
+    "3",
+    "64",
+    "1e9",
+    "nan",
+    "-inf",
+    "0x10",
+    "1_000",
+    ".5",
+    "5.",
+    "''",
+    "'",
+    "\"",
+    "\"\"\"",
+    "'''",
+    "[",
+    "]",
+    "[[",
+    "]]",
+    "{",
+    "}",
+    "{}",
+    "(",
+    ")",
+    "=",
+    ",",
+    ".",
+    "#",
+    "\\",
+    "\\u0000",
+    "+",
+    "-",
+    "*",
+    "/",
+    "^",
+    "**",
+    "//",
+    "t",
+    "pi",
+    "sin",
+    "cos(",
+    "tan(x)",
+    "asin(2)",
+    "acos(q)",
+    "log(0)",
+    "sqrt(-1)",
+    "exp(1e9)",
+    "atan2(0, 0)",
+    "min(x, v)",
+    "max",
+    "sign(x)",
+    "abs(v)",
+    "tanh(q)",
+    "x",
+    "v",
+    "q",
+    "dq",
+    "u",
+    "force",
+    "w",
+    "level",
+    "derivative",
+    "next",
+    "value",
+    "delay",
+    "range",
+    "noise",
+    "bound",
+    "window",
+    "states",
+    "outputs",
+    "unknowns",
+    "q = {}",
+    "true",
 ];
 
 /// One mutation: a kind, a place as a share of the text, a second number.
@@ -268,8 +347,12 @@ fn mutate(text: &str, (kind, place, other): Mutation) -> String {
 
 /// Numbers that a user may write, and those that nobody should.
 fn number() -> impl Strategy<Value = String> {
-    const EXTREME: [&str; 13] = ["0", "1", "2", "3", "64", "65", "0.5", "1e308", "1e-308", "1e400", "99999999999999999999", "1e154", "1e-9"];
-    prop_oneof![proptest::sample::select(&EXTREME[..]).prop_map(str::to_owned), (0_u16..100).prop_map(|n| n.to_string())]
+    const EXTREME: [&str; 13] =
+        ["0", "1", "2", "3", "64", "65", "0.5", "1e308", "1e-308", "1e400", "99999999999999999999", "1e154", "1e-9"];
+    prop_oneof![
+        proptest::sample::select(&EXTREME[..]).prop_map(str::to_owned),
+        (0_u16..100).prop_map(|n| n.to_string())
+    ]
 }
 
 /// An expression in the names of the third seed below.
@@ -278,7 +361,9 @@ fn expression() -> impl Strategy<Value = String> {
     let leaf = prop_oneof![4 => name, 3 => number()];
     leaf.prop_recursive(6, 48, 4, |inner| {
         let operator = proptest::sample::select(&[" + ", " - ", "*", "/", "^"][..]);
-        let function = proptest::sample::select(&["sin", "cos", "tan", "asin", "acos", "atan", "exp", "log", "sqrt", "abs", "sign", "tanh"][..]);
+        let function = proptest::sample::select(
+            &["sin", "cos", "tan", "asin", "acos", "atan", "exp", "log", "sqrt", "abs", "sign", "tanh"][..],
+        );
         let two = proptest::sample::select(&["atan2", "min", "max"][..]);
         prop_oneof![
             5 => (inner.clone(), operator, inner.clone()).prop_map(|(a, operator, b)| format!("{a}{operator}{b}")),

@@ -14,7 +14,13 @@
     reason = "counts of things in a figure are small"
 )]
 
+mod axis;
+mod text;
+
 use std::fmt::{self, Display, Formatter};
+
+use axis::{Axis, Range};
+use text::{Escaped, Px, lines_from, spread, text, widest};
 
 /// A point of a curve: time and value.
 pub type Point = (f64, f64);
@@ -129,30 +135,10 @@ struct Pen {
 impl Role {
     const fn pen(self) -> Pen {
         match self {
-            Self::Measured => Pen {
-                colour: "#b4b4b4",
-                text: "#737373",
-                width: 2.25,
-                opacity: 1.0,
-            },
-            Self::Reference => Pen {
-                colour: "#000000",
-                text: "#444444",
-                width: 2.5,
-                opacity: 0.4,
-            },
-            Self::Error => Pen {
-                colour: "#d55e00",
-                text: "#c05000",
-                width: 1.0,
-                opacity: 1.0,
-            },
-            Self::Estimate => Pen {
-                colour: "#0072b2",
-                text: "#0072b2",
-                width: 1.15,
-                opacity: 1.0,
-            },
+            Self::Measured => Pen { colour: "#b4b4b4", text: "#737373", width: 2.25, opacity: 1.0 },
+            Self::Reference => Pen { colour: "#000000", text: "#444444", width: 2.5, opacity: 0.4 },
+            Self::Error => Pen { colour: "#d55e00", text: "#c05000", width: 1.0, opacity: 1.0 },
+            Self::Estimate => Pen { colour: "#0072b2", text: "#0072b2", width: 1.15, opacity: 1.0 },
         }
     }
 }
@@ -167,14 +153,7 @@ impl Display for Figure {
         for (index, column) in self.columns.iter().enumerate() {
             let mut cells = frames.iter().filter_map(|row| row.get(index));
             if let Some(highest) = cells.clone().next() {
-                text(
-                    f,
-                    highest.left,
-                    highest.top - 30.0,
-                    "",
-                    MUTED,
-                    &column.title,
-                )?;
+                text(f, highest.left, highest.top - 30.0, "", MUTED, &column.title)?;
             }
             if let Some(lowest) = cells.next_back() {
                 lowest.draw_x_axis(f, &self.x_label)?;
@@ -194,18 +173,8 @@ impl Figure {
         )?;
         writeln!(f, "<title>{}</title>", Escaped(&self.title))?;
         writeln!(f, "<desc>{}</desc>", Escaped(&self.description))?;
-        writeln!(
-            f,
-            r##"<rect width="{width}" height="{height}" fill="#ffffff"/>"##
-        )?;
-        text(
-            f,
-            MARGIN,
-            MARGIN + 16.0,
-            r#" font-size="18" font-weight="600""#,
-            INK,
-            &self.title,
-        )?;
+        writeln!(f, r##"<rect width="{width}" height="{height}" fill="#ffffff"/>"##)?;
+        text(f, MARGIN, MARGIN + 16.0, r#" font-size="18" font-weight="600""#, INK, &self.title)?;
         for (line, y) in self.subtitle.lines().zip(lines_from(MARGIN + 38.0)) {
             text(f, MARGIN, y, r#" font-size="13""#, MUTED, line)?;
         }
@@ -216,41 +185,19 @@ impl Figure {
     fn layout(&self) -> (Vec<Vec<Frame>>, f64) {
         let columns = self.columns.len();
         let x_ranges: Vec<Range> = (0..columns).map(|column| self.x_range(column)).collect();
-        let y_axes: Vec<Vec<Axis>> = self
-            .panels
-            .iter()
-            .map(|panel| panel.y_axes(&x_ranges))
-            .collect();
+        let y_axes: Vec<Vec<Axis>> = self.panels.iter().map(|panel| panel.y_axes(&x_ranges)).collect();
 
-        let cells = |column: usize| {
-            self.panels
-                .iter()
-                .filter_map(move |panel| panel.cells.get(column))
-        };
-        let names = |column| {
-            cells(column)
-                .flat_map(|cell| &cell.curves)
-                .map(|curve| curve.label.as_str())
-        };
-        let numbers = |column: usize| {
-            y_axes
-                .iter()
-                .filter_map(move |row| row.get(column))
-                .flat_map(Axis::labels)
-        };
-        let before: Vec<f64> = (0..columns)
-            .map(|column| widest(numbers(column)) + 8.0)
-            .collect();
-        let after: Vec<f64> = (0..columns)
-            .map(|column| widest(names(column)) + 8.0)
-            .collect();
+        let cells = |column: usize| self.panels.iter().filter_map(move |panel| panel.cells.get(column));
+        let names = |column| cells(column).flat_map(|cell| &cell.curves).map(|curve| curve.label.as_str());
+        let numbers = |column: usize| y_axes.iter().filter_map(move |row| row.get(column)).flat_map(Axis::labels);
+        let before: Vec<f64> = (0..columns).map(|column| widest(numbers(column)) + 8.0).collect();
+        let after: Vec<f64> = (0..columns).map(|column| widest(names(column)) + 8.0).collect();
 
         let gaps = 2.0 * MARGIN + COLUMN_GAP * columns.saturating_sub(1) as f64;
         let gutters = before.iter().chain(&after).sum::<f64>();
         let width = ((WIDTH - gaps - gutters) / columns.max(1) as f64).max(40.0);
 
-        let mut top =
-            MARGIN + 38.0 + LINE_HEIGHT * self.subtitle.lines().count() as f64 + PANEL_GAP;
+        let mut top = MARGIN + 38.0 + LINE_HEIGHT * self.subtitle.lines().count() as f64 + PANEL_GAP;
         let mut frames = Vec::new();
         for (panel, y_axes) in self.panels.iter().zip(y_axes) {
             let height = panel.height();
@@ -259,14 +206,7 @@ impl Figure {
             for (column, y) in y_axes.into_iter().enumerate() {
                 left += before[column];
                 let x = Axis::new(x_ranges[column], width / 70.0);
-                row.push(Frame {
-                    left,
-                    top,
-                    width,
-                    height,
-                    x,
-                    y,
-                });
+                row.push(Frame { left, top, width, height, x, y });
                 left += width + after[column] + COLUMN_GAP;
             }
             frames.push(row);
@@ -277,20 +217,13 @@ impl Figure {
 
     /// The time range of a column.
     fn x_range(&self, column: usize) -> Range {
-        let curves = self
-            .panels
-            .iter()
-            .filter_map(|panel| panel.cells.get(column))
-            .flat_map(|cell| &cell.curves);
+        let curves = self.panels.iter().filter_map(|panel| panel.cells.get(column)).flat_map(|cell| &cell.curves);
         let times = curves.flat_map(|curve| &curve.points).map(|point| point.0);
         match self.columns[column].x_range {
             Some((low, high)) => Range::of([low, high].into_iter()),
             None => Range::of(times),
         }
-        .unwrap_or(Range {
-            low: 0.0,
-            high: 1.0,
-        })
+        .unwrap_or(Range { low: 0.0, high: 1.0 })
     }
 }
 
@@ -299,16 +232,11 @@ impl Panel {
     fn height(&self) -> f64 {
         let mut curves = self.cells.iter().flat_map(|cell| &cell.curves).peekable();
         let errors = curves.peek().is_some() && curves.all(|curve| curve.role == Role::Error);
-        if errors {
-            ERROR_PANEL_HEIGHT
-        } else {
-            PANEL_HEIGHT
-        }
+        if errors { ERROR_PANEL_HEIGHT } else { PANEL_HEIGHT }
     }
 
     fn y_axes(&self, x_ranges: &[Range]) -> Vec<Axis> {
-        let axis =
-            |(cell, x): (&Cell, &Range)| Axis::new(cell.y_range(*x).padded(), self.height() / 35.0);
+        let axis = |(cell, x): (&Cell, &Range)| Axis::new(cell.y_range(*x).padded(), self.height() / 35.0);
         self.cells.iter().zip(x_ranges).map(axis).collect()
     }
 
@@ -323,10 +251,7 @@ impl Panel {
             Escaped(&self.y_label),
             Escaped(&self.title)
         )?;
-        self.cells
-            .iter()
-            .zip(frames)
-            .try_for_each(|(cell, frame)| cell.draw(f, frame))
+        self.cells.iter().zip(frames).try_for_each(|(cell, frame)| cell.draw(f, frame))
     }
 }
 
@@ -334,26 +259,16 @@ impl Cell {
     /// The range of everything that is visible; errors and bands are seen against zero.
     fn y_range(&self, x: Range) -> Range {
         let curves = self.curves.iter().flat_map(|curve| &curve.points);
-        let values = curves
-            .filter(|point| x.contains(point.0))
-            .map(|point| point.1);
+        let values = curves.filter(|point| x.contains(point.0)).map(|point| point.1);
         let band = self.band.into_iter().flat_map(|bound| [-bound, bound]);
         let errors = self.curves.iter().any(|curve| curve.role == Role::Error);
         let zero = errors.then_some(0.0);
-        Range::of(values.chain(band).chain(zero)).unwrap_or(Range {
-            low: 0.0,
-            high: 1.0,
-        })
+        Range::of(values.chain(band).chain(zero)).unwrap_or(Range { low: 0.0, high: 1.0 })
     }
 
     fn draw(&self, f: &mut Formatter<'_>, frame: &Frame) -> fmt::Result {
         frame.draw_grid(f)?;
-        let (x, y, width, height) = (
-            Px(frame.left),
-            Px(frame.top),
-            Px(frame.width),
-            Px(frame.height),
-        );
+        let (x, y, width, height) = (Px(frame.left), Px(frame.top), Px(frame.width), Px(frame.height));
         // A nested document clips what it holds, without an id that could clash with another figure.
         writeln!(
             f,
@@ -362,10 +277,7 @@ impl Cell {
         if let Some(bound) = self.band.filter(|bound| bound.is_finite()) {
             let (top, bottom) = (frame.y_at(bound.abs()), frame.y_at(-bound.abs()));
             let (y, height) = (Px(top), Px(bottom - top));
-            writeln!(
-                f,
-                r##"<rect y="{y}" width="{width}" height="{height}" fill="#000000" fill-opacity="0.06"/>"##
-            )?;
+            writeln!(f, r##"<rect y="{y}" width="{width}" height="{height}" fill="#000000" fill-opacity="0.06"/>"##)?;
         }
         let mut curves: Vec<&Curve> = self.curves.iter().collect();
         curves.sort_by_key(|curve| curve.role);
@@ -378,14 +290,7 @@ impl Cell {
         writeln!(f, "</svg>")?;
         if curves.iter().all(|curve| curve.end(frame).is_none()) {
             let attributes = r#" text-anchor="middle""#;
-            text(
-                f,
-                frame.left + frame.width / 2.0,
-                frame.top + frame.height / 2.0,
-                attributes,
-                MUTED,
-                "no data",
-            )?;
+            text(f, frame.left + frame.width / 2.0, frame.top + frame.height / 2.0, attributes, MUTED, "no data")?;
         }
         self.draw_labels(f, frame)
     }
@@ -393,23 +298,11 @@ impl Cell {
     /// Writes the name of each curve at its end, in its colour.
     fn draw_labels(&self, f: &mut Formatter<'_>, frame: &Frame) -> fmt::Result {
         let named = self.curves.iter().filter(|curve| !curve.label.is_empty());
-        let mut ends: Vec<(f64, &Curve)> = named
-            .filter_map(|curve| Some((curve.end(frame)?, curve)))
-            .collect();
+        let mut ends: Vec<(f64, &Curve)> = named.filter_map(|curve| Some((curve.end(frame)?, curve))).collect();
         ends.sort_by(|a, b| a.0.total_cmp(&b.0));
         let wanted: Vec<f64> = ends.iter().map(|end| end.0).collect();
-        for (y, (_, curve)) in spread(&wanted, LABEL_DISTANCE, frame.height)
-            .into_iter()
-            .zip(ends)
-        {
-            text(
-                f,
-                frame.right() + 6.0,
-                frame.top + y + 4.0,
-                "",
-                curve.role.pen().text,
-                &curve.label,
-            )?;
+        for (y, (_, curve)) in spread(&wanted, LABEL_DISTANCE, frame.height).into_iter().zip(ends) {
+            text(f, frame.right() + 6.0, frame.top + y + 4.0, "", curve.role.pen().text, &curve.label)?;
         }
         Ok(())
     }
@@ -418,33 +311,21 @@ impl Cell {
 impl Curve {
     /// The points in the frame, with one neighbour on either side for the line to come from and go to.
     fn visible(&self, x: Range) -> &[Point] {
-        let first = self
-            .points
-            .partition_point(|point| point.0 < x.low)
-            .saturating_sub(1);
+        let first = self.points.partition_point(|point| point.0 < x.low).saturating_sub(1);
         let end = self.points.partition_point(|point| point.0 <= x.high) + 1;
-        self.points
-            .get(first..end.min(self.points.len()))
-            .unwrap_or_default()
+        self.points.get(first..end.min(self.points.len())).unwrap_or_default()
     }
 
     /// The height in the frame at which the curve ends.
     fn end(&self, frame: &Frame) -> Option<f64> {
         let visible = self.visible(frame.x.range).iter().rev();
-        let last = visible
-            .copied()
-            .find(|point| frame.x.range.contains(point.0) && point.1.is_finite())?;
+        let last = visible.copied().find(|point| frame.x.range.contains(point.0) && point.1.is_finite())?;
         Some(frame.y_at(last.1))
     }
 
     fn draw(&self, f: &mut Formatter<'_>, frame: &Frame) -> fmt::Result {
         let points = self.visible(frame.x.range);
-        let Pen {
-            colour,
-            width,
-            opacity,
-            ..
-        } = self.role.pen();
+        let Pen { colour, width, opacity, .. } = self.role.pen();
         let dots = self.role == Role::Measured && points.len() as f64 * DOT_DISTANCE < frame.width;
         let width = Px(if dots { width + 0.5 } else { width });
         write!(f, r#"<path stroke="{colour}" stroke-width="{width}""#)?;
@@ -455,9 +336,7 @@ impl Curve {
         let mut pen_down = false;
         for (k, &(t, y)) in points.iter().enumerate() {
             let drawable = t.is_finite() && y.is_finite();
-            let alone = !points
-                .get(k + 1)
-                .is_some_and(|next| next.0.is_finite() && next.1.is_finite());
+            let alone = !points.get(k + 1).is_some_and(|next| next.0.is_finite() && next.1.is_finite());
             if drawable {
                 let command = if pen_down { 'L' } else { 'M' };
                 write!(f, "{command}{} {}", Px(frame.x_at(t)), Px(frame.y_at(y)))?;
@@ -479,18 +358,9 @@ impl Marker {
         }
         let at = frame.x_at(self.x);
         let (x, height) = (Px(at), Px(frame.height));
-        writeln!(
-            f,
-            r#"<path stroke="{MUTED}" stroke-dasharray="2 3" stroke-linecap="butt" d="M{x} 0V{height}"/>"#
-        )?;
-        let (offset, anchor) = if at < frame.width / 2.0 {
-            (5.0, "start")
-        } else {
-            (-5.0, "end")
-        };
-        let halo = format!(
-            r##" text-anchor="{anchor}" stroke="#ffffff" stroke-width="3" paint-order="stroke""##
-        );
+        writeln!(f, r#"<path stroke="{MUTED}" stroke-dasharray="2 3" stroke-linecap="butt" d="M{x} 0V{height}"/>"#)?;
+        let (offset, anchor) = if at < frame.width / 2.0 { (5.0, "start") } else { (-5.0, "end") };
+        let halo = format!(r##" text-anchor="{anchor}" stroke="#ffffff" stroke-width="3" paint-order="stroke""##);
         text(f, at + offset, 11.0, &halo, MUTED, &self.label)
     }
 }
@@ -522,45 +392,22 @@ impl Frame {
 
     /// Draws faint lines at the ticks and writes the values on the left.
     fn draw_grid(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        let (left, right, top, bottom) = (
-            Px(self.left),
-            Px(self.right()),
-            Px(self.top),
-            Px(self.top + self.height),
-        );
+        let (left, right, top, bottom) = (Px(self.left), Px(self.right()), Px(self.top), Px(self.top + self.height));
         write!(f, r#"<path stroke="{GRID}" d=""#)?;
         for tick in &self.x.ticks {
-            write!(
-                f,
-                "M{} {top}V{bottom}",
-                Px(self.left + self.x_at(tick.value))
-            )?;
+            write!(f, "M{} {top}V{bottom}", Px(self.left + self.x_at(tick.value)))?;
         }
         for tick in &self.y.ticks {
-            write!(
-                f,
-                "M{left} {}H{right}",
-                Px(self.top + self.y_at(tick.value))
-            )?;
+            write!(f, "M{left} {}H{right}", Px(self.top + self.y_at(tick.value)))?;
         }
         writeln!(f, r#""/>"#)?;
         if self.y.range.contains(0.0) {
             let zero = Px(self.top + self.y_at(0.0));
-            writeln!(
-                f,
-                r##"<path stroke="#c8c8c8" d="M{left} {zero}H{right}"/>"##
-            )?;
+            writeln!(f, r##"<path stroke="#c8c8c8" d="M{left} {zero}H{right}"/>"##)?;
         }
         for tick in &self.y.ticks {
             let y = self.top + self.y_at(tick.value) + 4.0;
-            text(
-                f,
-                self.left - 7.0,
-                y,
-                r#" text-anchor="end""#,
-                MUTED,
-                &tick.label,
-            )?;
+            text(f, self.left - 7.0, y, r#" text-anchor="end""#, MUTED, &tick.label)?;
         }
         Ok(())
     }
@@ -569,242 +416,17 @@ impl Frame {
     fn draw_x_axis(&self, f: &mut Formatter<'_>, label: &str) -> fmt::Result {
         let bottom = self.top + self.height;
         let (left, right, y) = (Px(self.left), Px(self.right()), Px(bottom));
-        write!(
-            f,
-            r#"<path fill="none" stroke="{AXIS}" d="M{left} {y}H{right}"#
-        )?;
+        write!(f, r#"<path fill="none" stroke="{AXIS}" d="M{left} {y}H{right}"#)?;
         for tick in &self.x.ticks {
             write!(f, "M{} {y}v4", Px(self.left + self.x_at(tick.value)))?;
         }
         writeln!(f, r#""/>"#)?;
         for tick in &self.x.ticks {
             let x = self.left + self.x_at(tick.value);
-            text(
-                f,
-                x,
-                bottom + 18.0,
-                r#" text-anchor="middle""#,
-                MUTED,
-                &tick.label,
-            )?;
+            text(f, x, bottom + 18.0, r#" text-anchor="middle""#, MUTED, &tick.label)?;
         }
         let middle = self.left + self.width / 2.0;
-        text(
-            f,
-            middle,
-            bottom + 38.0,
-            r#" font-size="13" text-anchor="middle""#,
-            INK,
-            label,
-        )
-    }
-}
-
-/// A range of finite numbers that is never empty.
-#[derive(Clone, Copy, Debug)]
-struct Range {
-    low: f64,
-    high: f64,
-}
-
-impl Range {
-    /// Numbers beyond this are drawn outside, so that differences do not overflow.
-    const LARGEST: f64 = 1e300;
-
-    /// The range of the finite values; a tenth around them when they are all but equal.
-    fn of(values: impl Iterator<Item = f64>) -> Option<Self> {
-        let finite = values
-            .filter(|value| value.is_finite())
-            .map(|value| value.clamp(-Self::LARGEST, Self::LARGEST));
-        let (low, high) = finite.fold(None, |range: Option<(f64, f64)>, value| {
-            Some(range.map_or((value, value), |(low, high)| {
-                (low.min(value), high.max(value))
-            }))
-        })?;
-        let size = low.abs().max(high.abs());
-        let half = if size < 1e-300 { 1.0 } else { 0.1 * size };
-        if high - low > 1e-9 * size && size >= 1e-300 {
-            return Some(Self { low, high });
-        }
-        Some(Self {
-            low: low - half,
-            high: high + half,
-        })
-    }
-
-    /// With some room above and below.
-    fn padded(self) -> Self {
-        let room = 0.06 * (self.high - self.low);
-        Self {
-            low: self.low - room,
-            high: self.high + room,
-        }
-    }
-
-    fn contains(self, value: f64) -> bool {
-        self.low <= value && value <= self.high
-    }
-
-    /// The position of a value, 0 at the low end and 1 at the high end, not far outside.
-    fn part(self, value: f64) -> f64 {
-        let value = value.clamp(-2.0 * Self::LARGEST, 2.0 * Self::LARGEST);
-        ((value - self.low) / (self.high - self.low)).clamp(-10.0, 11.0)
-    }
-}
-
-/// A range with round numbers on it.
-struct Axis {
-    range: Range,
-    ticks: Vec<Tick>,
-}
-
-struct Tick {
-    value: f64,
-    label: String,
-}
-
-impl Axis {
-    /// Places about `count` ticks at multiples of 1, 2 or 5 times a power of ten.
-    fn new(range: Range, count: f64) -> Self {
-        let (multiple, exponent) = round_step((range.high - range.low) / count);
-        let step = decimal(multiple, exponent);
-        let first = (range.low / step - 1e-6).ceil() as i64;
-        let last = (range.high / step + 1e-6).floor() as i64;
-        let plain = exponent >= -4 && range.low.abs().max(range.high.abs()) < 1e6;
-        let tick = |k: i64| {
-            let digits = k * multiple;
-            let label = if plain {
-                plain_label(digits, exponent)
-            } else {
-                scientific_label(digits, exponent)
-            };
-            Tick {
-                value: decimal(digits, exponent),
-                label: label.replace('-', "\u{2212}"),
-            }
-        };
-        Self {
-            range,
-            ticks: (first..=last).map(tick).collect(),
-        }
-    }
-
-    fn labels(&self) -> impl Iterator<Item = &str> {
-        self.ticks.iter().map(|tick| tick.label.as_str())
-    }
-}
-
-/// The one of 1, 2 and 5 times a power of ten that is about nearest to a positive number.
-fn round_step(raw: f64) -> (i64, i32) {
-    let written = format!("{raw:e}");
-    let (mantissa, exponent) = written.split_once('e').unwrap_or(("1", "0"));
-    let mantissa: f64 = mantissa.parse().unwrap_or(1.0);
-    let exponent: i32 = exponent.parse().unwrap_or(0);
-    match mantissa {
-        ..1.5 => (1, exponent),
-        ..3.5 => (2, exponent),
-        ..7.5 => (5, exponent),
-        _ => (1, exponent + 1),
-    }
-}
-
-/// The double nearest to `digits` times ten to the `exponent`.
-fn decimal(digits: i64, exponent: i32) -> f64 {
-    format!("{digits}e{exponent}").parse().unwrap_or(0.0)
-}
-
-fn plain_label(digits: i64, exponent: i32) -> String {
-    let decimals = usize::try_from(-exponent).unwrap_or(0);
-    format!("{:.decimals$}", decimal(digits, exponent))
-}
-
-fn scientific_label(mut digits: i64, mut exponent: i32) -> String {
-    if digits == 0 {
-        return "0".to_owned();
-    }
-    while digits % 10 == 0 {
-        digits /= 10;
-        exponent += 1;
-    }
-    format!("{:e}", decimal(digits, exponent))
-}
-
-/// Moves sorted positions as little as needed (least squares) for them to lie `distance` apart and,
-/// if there is room, between 0 and `height`.
-fn spread(wanted: &[f64], distance: f64, height: f64) -> Vec<f64> {
-    // Without their offsets the positions only have to increase: groups that do not are averaged.
-    let mut groups: Vec<(f64, f64)> = Vec::new();
-    for (k, position) in wanted.iter().enumerate() {
-        let mut group = (position - distance * k as f64, 1.0);
-        while let Some((mean, count)) = groups.pop_if(|last| last.0 > group.0) {
-            group = (
-                (mean * count + group.0 * group.1) / (count + group.1),
-                count + group.1,
-            );
-        }
-        groups.push(group);
-    }
-    let most = (height - distance * wanted.len().saturating_sub(1) as f64).max(0.0);
-    let means = groups
-        .iter()
-        .flat_map(|&(mean, count)| std::iter::repeat_n(mean, count as usize));
-    means
-        .enumerate()
-        .map(|(k, mean)| mean.clamp(0.0, most) + distance * k as f64)
-        .collect()
-}
-
-/// The room that the widest of these texts needs.
-fn widest<'a>(texts: impl Iterator<Item = &'a str>) -> f64 {
-    let characters = texts.map(|text| text.chars().count()).max().unwrap_or(0);
-    characters as f64 * FONT_SIZE * CHARACTER_WIDTH
-}
-
-/// Base lines of text, from the given one downwards.
-fn lines_from(y: f64) -> impl Iterator<Item = f64> {
-    (0..).map(move |line| y + LINE_HEIGHT * f64::from(line))
-}
-
-fn text(
-    f: &mut Formatter<'_>,
-    x: f64,
-    y: f64,
-    attributes: &str,
-    colour: &str,
-    content: &str,
-) -> fmt::Result {
-    let (x, y, content) = (Px(x), Px(y), Escaped(content));
-    writeln!(
-        f,
-        r#"<text x="{x}" y="{y}"{attributes} fill="{colour}">{content}</text>"#
-    )
-}
-
-/// A coordinate with at most two decimals: fine enough for smooth curves.
-struct Px(f64);
-
-impl Display for Px {
-    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        // Adding zero turns minus zero into zero.
-        write!(f, "{}", (self.0 * 100.0).round() / 100.0 + 0.0)
-    }
-}
-
-/// Text in which nothing is taken for markup; characters that XML forbids are replaced.
-struct Escaped<'a>(&'a str);
-
-impl Display for Escaped<'_> {
-    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        self.0.chars().try_for_each(|c| match c {
-            '&' => f.write_str("&amp;"),
-            '<' => f.write_str("&lt;"),
-            '>' => f.write_str("&gt;"),
-            '"' => f.write_str("&quot;"),
-            '\0'..='\x08' | '\x0b' | '\x0c' | '\x0e'..='\x1f' | '\u{fffe}' | '\u{ffff}' => {
-                f.write_str("\u{fffd}")
-            }
-            _ => write!(f, "{c}"),
-        })
+        text(f, middle, bottom + 38.0, r#" font-size="13" text-anchor="middle""#, INK, label)
     }
 }
 
@@ -813,37 +435,14 @@ mod tests {
     use super::*;
 
     fn figure(points: Vec<Point>, role: Role) -> Figure {
-        let curve = Curve {
-            label: "a < b & \"c\"\u{1}".into(),
-            role,
-            points,
-        };
-        let marker = Some(Marker {
-            x: 1.0,
-            label: "m".into(),
-        });
-        let cell = Cell {
-            curves: vec![curve.clone(), curve],
-            marker,
-            band: Some(0.5),
-        };
+        let curve = Curve { label: "a < b & \"c\"\u{1}".into(), role, points };
+        let marker = Some(Marker { x: 1.0, label: "m".into() });
+        let cell = Cell { curves: vec![curve.clone(), curve], marker, band: Some(0.5) };
         Figure {
             title: "<title>".into(),
             subtitle: "one\ntwo".into(),
-            columns: vec![
-                Column::default(),
-                Column {
-                    title: "zoom".into(),
-                    x_range: Some((0.0, 1.5)),
-                },
-            ],
-            panels: vec![
-                Panel {
-                    cells: vec![cell.clone(), cell],
-                    ..Panel::default()
-                },
-                Panel::default(),
-            ],
+            columns: vec![Column::default(), Column { title: "zoom".into(), x_range: Some((0.0, 1.5)) }],
+            panels: vec![Panel { cells: vec![cell.clone(), cell], ..Panel::default() }, Panel::default()],
             ..Figure::default()
         }
     }
@@ -855,10 +454,7 @@ mod tests {
             let (tag, content) = piece.split_once('>').expect("a tag ends");
             assert!(!content.contains('"'), "{content}");
             assert!(tag.matches('"').count() % 2 == 0, "{tag}");
-            assert!(
-                !["NaN", "inf", "-0 "].iter().any(|bad| tag.contains(bad)),
-                "{tag}"
-            );
+            assert!(!["NaN", "inf", "-0 "].iter().any(|bad| tag.contains(bad)), "{tag}");
             if let Some(name) = tag.strip_prefix('/') {
                 assert_eq!(open.pop(), Some(name));
             } else if !tag.ends_with('/') {
@@ -869,10 +465,7 @@ mod tests {
     }
 
     fn labels(low: f64, high: f64) -> Vec<String> {
-        Axis::new(Range { low, high }, 5.0)
-            .labels()
-            .map(str::to_owned)
-            .collect()
+        Axis::new(Range { low, high }, 5.0).labels().map(str::to_owned).collect()
     }
 
     #[test]
@@ -911,31 +504,15 @@ mod tests {
         let points = vec![(0.0, 0.0), (0.5, 1.0), (0.6, f64::NAN), (1.0, 1.0)];
         let svg = figure(points, Role::Estimate).to_string();
         let path = svg.lines().find(|line| line.contains("#0072b2")).unwrap();
-        assert_eq!(
-            (
-                path.matches('M').count(),
-                path.matches('L').count(),
-                path.matches("h0").count()
-            ),
-            (2, 1, 1)
-        );
+        assert_eq!((path.matches('M').count(), path.matches('L').count(), path.matches("h0").count()), (2, 1, 1));
     }
 
     #[test]
     fn ticks_are_round_numbers() {
         assert_eq!(labels(0.0, 55.0), ["0", "10", "20", "30", "40", "50"]);
-        assert_eq!(
-            labels(-0.3, 0.31),
-            ["−0.3", "−0.2", "−0.1", "0.0", "0.1", "0.2", "0.3"]
-        );
-        assert_eq!(
-            labels(0.0, 2.5e6),
-            ["0", "5e5", "1e6", "1.5e6", "2e6", "2.5e6"]
-        );
-        assert_eq!(
-            labels(0.0, 4e-300),
-            ["0", "1e−300", "2e−300", "3e−300", "4e−300"]
-        );
+        assert_eq!(labels(-0.3, 0.31), ["−0.3", "−0.2", "−0.1", "0.0", "0.1", "0.2", "0.3"]);
+        assert_eq!(labels(0.0, 2.5e6), ["0", "5e5", "1e6", "1.5e6", "2e6", "2.5e6"]);
+        assert_eq!(labels(0.0, 4e-300), ["0", "1e−300", "2e−300", "3e−300", "4e−300"]);
     }
 
     #[test]
@@ -943,23 +520,14 @@ mod tests {
         let close = |a: Vec<f64>, b: &[f64]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-9);
         assert!(close(spread(&[10.0, 50.0], 15.0, 100.0), &[10.0, 50.0]));
         assert!(close(spread(&[50.0, 50.0], 15.0, 100.0), &[42.5, 57.5]));
-        assert!(close(
-            spread(&[40.0, 50.0, 52.0], 15.0, 100.0),
-            &[97.0 / 3.0, 142.0 / 3.0, 187.0 / 3.0]
-        ));
+        assert!(close(spread(&[40.0, 50.0, 52.0], 15.0, 100.0), &[97.0 / 3.0, 142.0 / 3.0, 187.0 / 3.0]));
         assert!(close(spread(&[0.0, 1.0], 15.0, 100.0), &[0.0, 15.0]));
         assert!(close(spread(&[99.0, 100.0], 15.0, 100.0), &[85.0, 100.0]));
-        assert!(close(
-            spread(&[5.0, 5.0, 5.0], 15.0, 20.0),
-            &[0.0, 15.0, 30.0]
-        ));
+        assert!(close(spread(&[5.0, 5.0, 5.0], 15.0, 20.0), &[0.0, 15.0, 30.0]));
     }
 
     #[test]
     fn coordinates_have_at_most_two_decimals_and_no_minus_zero() {
-        assert_eq!(
-            [1.0, 2.345_6, -0.001, 1e5 / 3.0].map(|x| Px(x).to_string()),
-            ["1", "2.35", "0", "33333.33"]
-        );
+        assert_eq!([1.0, 2.345_6, -0.001, 1e5 / 3.0].map(|x| Px(x).to_string()), ["1", "2.35", "0", "33333.33"]);
     }
 }

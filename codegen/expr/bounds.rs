@@ -4,8 +4,8 @@
 //! never narrower but for rounding in the last digits. Elementary functions are the runtime's own,
 //! so that the numbers are the same on every machine.
 
-use deadbeat_math as math;
 use dashu_ratio::RBig;
+use deadbeat_math as math;
 
 use super::poly::{Atom, Poly};
 use super::{Function, Symbol};
@@ -148,7 +148,8 @@ pub fn derivative(poly: &Poly, symbol: Symbol) -> Option<Poly> {
             if inner.is_zero() {
                 continue;
             }
-            let outer = Poly::from(coefficient.clone()).times(&Poly::monomial(monomial.clone(), RBig::from(*exponent))).ok()?;
+            let outer =
+                Poly::from(coefficient.clone()).times(&Poly::monomial(monomial.clone(), RBig::from(*exponent))).ok()?;
             let lowered = outer.times(&Poly::from(atom.clone()).power(-1).ok()?).ok()?;
             sum = sum.plus(&lowered.times(&inner).ok()?).ok()?;
         }
@@ -193,13 +194,22 @@ fn slope_of_call(function: Function, x: &Poly) -> Option<Poly> {
     }
 }
 
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     fn q() -> Poly {
         Poly::from(Atom::Symbol(Symbol::State(0)))
+    }
+
+    /// Powers are as narrow as their sign allows, and gigantic ones take no time.
+    #[test]
+    fn powers_are_enclosed() {
+        let range = Interval::new(-2.0, 1.0);
+        assert_eq!(range.power(2), Interval::new(0.0, 4.0));
+        assert_eq!(range.power(3), Interval::new(-8.0, 4.0));
+        assert_eq!(Interval::new(-2.0, -1.0).power(5), Interval::new(-32.0, -1.0));
+        assert_eq!(range.power(1 << 30).high, f64::INFINITY);
     }
 
     /// The slope of a sine is at most one wherever the angle goes.

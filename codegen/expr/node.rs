@@ -63,7 +63,9 @@ pub enum NodeKind {
 /// Looks up the names of an expression and folds its constants; a mistake is pushed and gives `None`.
 pub fn resolve(expr: &Expr, names: &Names, found: &mut Vec<Diagnostic>) -> Option<Node> {
     let node = match &expr.kind {
-        Kind::Number(value) => Node { kind: NodeKind::Constant, poly: value.clone().into(), span: (names.place)(expr.span.clone()) },
+        Kind::Number(value) => {
+            Node { kind: NodeKind::Constant, poly: value.clone().into(), span: (names.place)(expr.span.clone()) }
+        }
         Kind::Name(name) => resolve_name(name, expr, names, found)?,
         Kind::Sum(terms) => resolve_sum(terms, expr, names, found)?,
         Kind::Product(factors) => resolve_product(factors, expr, names, found)?,
@@ -80,7 +82,8 @@ fn fold(node: Node) -> Node {
 
 fn resolve_name(name: &str, expr: &Expr, names: &Names, found: &mut Vec<Diagnostic>) -> Option<Node> {
     let span = (names.place)(expr.span.clone());
-    let symbol = |symbol| Node { kind: NodeKind::Symbol(symbol), poly: Atom::Symbol(symbol).into(), span: span.clone() };
+    let symbol =
+        |symbol| Node { kind: NodeKind::Symbol(symbol), poly: Atom::Symbol(symbol).into(), span: span.clone() };
     let known = names.known.iter().find(|(known, _)| known == name);
     let mistake = match (known, name) {
         (Some((_, Meaning::Parameter(value))), _) => {
@@ -149,7 +152,13 @@ fn resolve_parts(parts: &[(bool, Expr)], names: &Names, found: &mut Vec<Diagnost
     nodes.into_iter().collect()
 }
 
-fn resolve_power(base: &Expr, exponent: &Expr, expr: &Expr, names: &Names, found: &mut Vec<Diagnostic>) -> Option<Node> {
+fn resolve_power(
+    base: &Expr,
+    exponent: &Expr,
+    expr: &Expr,
+    names: &Names,
+    found: &mut Vec<Diagnostic>,
+) -> Option<Node> {
     let (base, exponent) = (resolve(base, names, found), resolve(exponent, names, found));
     let (base, exponent) = (base?, exponent?);
     let span = (names.place)(expr.span.clone());
@@ -174,7 +183,13 @@ fn small_whole(value: &RBig) -> Option<i32> {
     (whole.abs() <= MAX_POWER).then_some(whole)
 }
 
-fn resolve_call(name: &str, arguments: &[Expr], expr: &Expr, names: &Names, found: &mut Vec<Diagnostic>) -> Option<Node> {
+fn resolve_call(
+    name: &str,
+    arguments: &[Expr],
+    expr: &Expr,
+    names: &Names,
+    found: &mut Vec<Diagnostic>,
+) -> Option<Node> {
     let span = (names.place)(expr.span.clone());
     let nodes: Vec<Option<Node>> = arguments.iter().map(|argument| resolve(argument, names, found)).collect();
     let Some((function, arity)) = Function::by_name(name) else {
@@ -242,7 +257,9 @@ impl Node {
         match &self.kind {
             NodeKind::Constant => visit(self),
             NodeKind::Symbol(_) => {}
-            NodeKind::Sum(parts) | NodeKind::Product(parts) => parts.iter().for_each(|(_, part)| part.visit_constants(visit)),
+            NodeKind::Sum(parts) | NodeKind::Product(parts) => {
+                parts.iter().for_each(|(_, part)| part.visit_constants(visit))
+            }
             NodeKind::Power(base, _) => base.visit_constants(visit),
             NodeKind::Call(_, arguments) => arguments.iter().for_each(|a| a.visit_constants(visit)),
         }

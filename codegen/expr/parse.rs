@@ -69,9 +69,12 @@ pub fn parse(text: &str) -> Result<Expr, ParseError> {
     };
     parser.parse_str(text).map_err(|error| {
         let whole = error.to_string();
-        let (message, help) = whole.split_once(HELP).map_or((whole.as_str(), None), |(message, help)| (message, Some(help)));
+        let (message, help) =
+            whole.split_once(HELP).map_or((whole.as_str(), None), |(message, help)| (message, Some(help)));
         let message = match message {
-            "cannot parse string into token stream" | "lex error" => "this is neither a number nor a name nor an operator",
+            "cannot parse string into token stream" | "lex error" => {
+                "this is neither a number nor a name nor an operator"
+            }
             message => message,
         };
         ParseError { span: clamp(error.span(), text), message: message.into(), help: help.map(str::to_owned) }
@@ -103,9 +106,27 @@ fn refuse_unreadable(text: &str) -> Result<(), ParseError> {
                 return refuse(at..at + 2, "`**` is not an operator".into(), Some("write powers with `^`"));
             }
             '/' if text[at..].starts_with("//") || text[at..].starts_with("/*") => {
-                return refuse(at..at + 2, "comments are not read inside an expression".into(), Some("write it behind `#`, after the expression"));
+                return refuse(
+                    at..at + 2,
+                    "comments are not read inside an expression".into(),
+                    Some("write it behind `#`, after the expression"),
+                );
             }
-            'a'..='z' | 'A'..='Z' | '0'..='9' | '_' | '.' | '+' | '-' | '*' | '/' | '^' | ',' | ' ' | '\t' | '\n' | '\r' => {}
+            'a'..='z'
+            | 'A'..='Z'
+            | '0'..='9'
+            | '_'
+            | '.'
+            | '+'
+            | '-'
+            | '*'
+            | '/'
+            | '^'
+            | ','
+            | ' '
+            | '\t'
+            | '\n'
+            | '\r' => {}
             _ => {
                 let message = format!("`{}` means nothing in an expression", c.escape_debug());
                 let help = match c {
@@ -120,7 +141,11 @@ fn refuse_unreadable(text: &str) -> Result<(), ParseError> {
             }
         }
         if open.len() > MAX_DEPTH {
-            return refuse(here, format!("parentheses nest deeper than {MAX_DEPTH}"), Some("name a part of it as a parameter or a state"));
+            return refuse(
+                here,
+                format!("parentheses nest deeper than {MAX_DEPTH}"),
+                Some("name a part of it as a parameter or a state"),
+            );
         }
     }
     match open.pop() {
@@ -202,7 +227,9 @@ fn atom(input: ParseStream, depth: Depth) -> syn::Result<Expr> {
         return name_or_call(input, depth);
     }
     let message = match () {
-        () if input.is_empty() => "the expression ends where a number, a name or `(` should follow\ncomplete it, or remove the last operator",
+        () if input.is_empty() => {
+            "the expression ends where a number, a name or `(` should follow\ncomplete it, or remove the last operator"
+        }
         () if input.peek(Token![.]) => "a number begins with a digit\nwrite 0.5 instead of .5",
         () => "a number, a name or `(` is missing here\nremove an operator, or write what it acts on",
     };
@@ -215,10 +242,17 @@ fn number(input: ParseStream) -> syn::Result<Expr> {
     let (digits, suffix) = match &literal {
         Lit::Int(int) => (int.base10_digits().to_owned(), int.suffix().to_owned()),
         Lit::Float(float) => (float.base10_digits().to_owned(), float.suffix().to_owned()),
-        _ => return Err(syn::Error::new(at, format!("only numbers can be written here{HELP}write 1 for true and 0 for false"))),
+        _ => {
+            return Err(syn::Error::new(
+                at,
+                format!("only numbers can be written here{HELP}write 1 for true and 0 for false"),
+            ));
+        }
     };
     if !suffix.is_empty() {
-        let message = format!("an operator is missing before `{suffix}`{HELP}write `{digits}*{suffix}` for a product; a number carries no unit");
+        let message = format!(
+            "an operator is missing before `{suffix}`{HELP}write `{digits}*{suffix}` for a product; a number carries no unit"
+        );
         return Err(syn::Error::new(at, message));
     }
     let written = at.source_text().unwrap_or_default();
@@ -268,13 +302,11 @@ fn take_sign(input: ParseStream) -> syn::Result<Option<bool>> {
 }
 
 /// One level down, refused beyond [`MAX_DEPTH`].
-fn deeper(
-    input: ParseStream,
-    depth: Depth,
-    read: fn(ParseStream, Depth) -> syn::Result<Expr>,
-) -> syn::Result<Expr> {
+fn deeper(input: ParseStream, depth: Depth, read: fn(ParseStream, Depth) -> syn::Result<Expr>) -> syn::Result<Expr> {
     if depth.get() >= MAX_DEPTH {
-        let message = format!("signs, powers and parentheses nest deeper than {MAX_DEPTH}{HELP}name a part of it as a parameter or a state");
+        let message = format!(
+            "signs, powers and parentheses nest deeper than {MAX_DEPTH}{HELP}name a part of it as a parameter or a state"
+        );
         return Err(syn::Error::new(input.span(), message));
     }
     depth.set(depth.get() + 1);
@@ -336,7 +368,10 @@ mod tests {
         let deep = format!("{}x{}", "(".repeat(2_000), ")".repeat(2_000));
         let signs = format!("{}x", "-".repeat(4_000));
         let powers = vec!["x"; 2_000].join("^");
-        for text in ["", " ", "a +", "(a", "a)", "a b", "2x", "1..2", "'x'", "a; b", "é", "f(a,,b)", "a ** b", "1e99999", &deep, &signs, &powers] {
+        for text in [
+            "", " ", "a +", "(a", "a)", "a b", "2x", "1..2", "'x'", "a; b", "é", "f(a,,b)", "a ** b", "1e99999", &deep,
+            &signs, &powers,
+        ] {
             assert!(parse(text).is_err(), "{text:.40}");
         }
         let long = vec!["x"; 2_000].join("+");

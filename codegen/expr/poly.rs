@@ -373,10 +373,11 @@ fn evaluate_atom(atom: &Atom, precision: Precision) -> Result<Real, DomainError>
 fn call(function: Function, values: &[Real]) -> Result<Real, Undefined> {
     let x = &values[0];
     let one = Some(1);
-    let around = || x.top().max(one);
+    // Below 1 a sine is as precise as its argument.
+    let around = x.top().filter(|top| *top > 0);
     Ok(match function {
-        Function::Sin => without_rounding(x.checked_sin()?, around()),
-        Function::Cos => without_rounding(x.checked_cos()?, around()),
+        Function::Sin => without_rounding(x.checked_sin()?, around),
+        Function::Cos => without_rounding(x.checked_cos()?, around),
         Function::Tan => {
             let (sine, cosine) = (call(Function::Sin, values)?, call(Function::Cos, values)?);
             if cosine.is_zero() {
@@ -394,9 +395,30 @@ fn call(function: Function, values: &[Real]) -> Result<Real, Undefined> {
         Function::Tanh => x.tanh(),
         Function::Pow => x.checked_powf(&values[1])?,
         Function::Abs => x.abs(),
-        Function::Sign => Real::from_i64(if x.is_zero() { 0 } else if x.is_negative() { -1 } else { 1 }, x.precision()),
-        Function::Min => if values[1] < *x { values[1].clone() } else { x.clone() },
-        Function::Max => if *x < values[1] { values[1].clone() } else { x.clone() },
+        Function::Sign => Real::from_i64(
+            if x.is_zero() {
+                0
+            } else if x.is_negative() {
+                -1
+            } else {
+                1
+            },
+            x.precision(),
+        ),
+        Function::Min => {
+            if values[1] < *x {
+                values[1].clone()
+            } else {
+                x.clone()
+            }
+        }
+        Function::Max => {
+            if *x < values[1] {
+                values[1].clone()
+            } else {
+                x.clone()
+            }
+        }
     })
 }
 
@@ -417,11 +439,43 @@ pub fn fold_call(function: Function, arguments: &[Poly]) -> Option<RBig> {
         Function::Sign => Some(if x.is_negative() { -RBig::ONE } else { RBig::ONE }),
         Function::Min => Some(x.clone().min(values[1].clone())),
         Function::Max => Some(x.clone().max(values[1].clone())),
-        Function::Sin | Function::Tan | Function::Asin | Function::Atan | Function::Sqrt | Function::Tanh if x.is_zero() => {
+        Function::Sin | Function::Tan | Function::Asin | Function::Atan | Function::Sqrt | Function::Tanh
+            if x.is_zero() =>
+        {
             Some(RBig::ZERO)
         }
         Function::Cos | Function::Exp if x.is_zero() => Some(RBig::ONE),
         Function::Log if *x == RBig::ONE => Some(RBig::ZERO),
         _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::parse::parse;
+    use super::super::{Names, resolve};
+    use super::*;
+
+    fn value(text: &str, bits: usize) -> Result<f64, DomainError> {
+        let names = Names { known: &[], place: &|within| within };
+        let node = resolve(&parse(text).unwrap(), &names, &mut Vec::new()).unwrap();
+        Constant::try_from(node.poly).unwrap().evaluate(Precision::bits(bits)).map(|value| value.to_f64())
+    }
+
+    /// What is zero, or at the edge of a domain, is that at every precision, and not its rounding.
+    #[test]
+    fn rounding_decides_nothing() {
+        for bits in [160, 256, 512, 1024] {
+            for text in
+                ["sin(pi)", "cos(pi/2)", "sqrt(sin(pi))", "sqrt(2)^2 - 2", "log(sqrt(2)^2/2)", "acos(sqrt(2)^2/2)"]
+            {
+                assert_eq!(value(text, bits), Ok(0.0), "{text} at {bits} bits");
+            }
+            for text in ["1/sin(pi)", "tan(pi/2)", "log(sin(pi))", "acos(1.1)", "sqrt(cos(pi))"] {
+                assert!(value(text, bits).is_err(), "{text} at {bits} bits");
+            }
+            assert_eq!(value("sin(1e-100)", bits), Ok(1e-100));
+            assert_eq!(value("1e-60 + 0*pi", bits), Ok(1e-60));
+        }
     }
 }

@@ -214,7 +214,13 @@ fn factor_of_unknown(varying: &Monomial, k: usize) -> Class {
 }
 
 impl Mistake {
-    fn explain(&self, varying: &Monomial, right: &Node, measurable: &Measurable, known: &[(String, Meaning)]) -> Diagnostic {
+    fn explain(
+        &self,
+        varying: &Monomial,
+        right: &Node,
+        measurable: &Measurable,
+        known: &[(String, Meaning)],
+    ) -> Diagnostic {
         let symbol = match *self {
             Self::State(j) => Symbol::State(j),
             Self::Unknown(k) => Symbol::Unknown(k),
@@ -324,7 +330,8 @@ fn flatten(node: &Node, coefficient: Poly) -> Vec<(Poly, Node)> {
 }
 
 fn flatten_product(node: &Node, factors: &[(bool, Node)], coefficient: Poly) -> Vec<(Poly, Node)> {
-    let (constants, varying): (Vec<_>, Vec<_>) = factors.iter().partition(|(_, f)| matches!(f.kind, NodeKind::Constant));
+    let (constants, varying): (Vec<_>, Vec<_>) =
+        factors.iter().partition(|(_, f)| matches!(f.kind, NodeKind::Constant));
     let mut scale = Ok(coefficient.clone());
     for (divided, constant) in &constants {
         let factor = if *divided { constant.poly.reciprocal() } else { Ok(constant.poly.clone()) };

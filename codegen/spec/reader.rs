@@ -259,7 +259,9 @@ fn digits_of(value: &DeValue<'_>) -> Option<Result<String, String>> {
     match value {
         DeValue::Integer(integer) if integer.radix() == 10 => Some(Ok(integer.as_str().to_owned())),
         DeValue::Integer(_) => Some(Err("only decimal numbers are read".into())),
-        DeValue::Float(float) if float.as_str().contains(['i', 'n']) => Some(Err(format!("`{}` is not a number to compute with", float.as_str()))),
+        DeValue::Float(float) if float.as_str().contains(['i', 'n']) => {
+            Some(Err(format!("`{}` is not a number to compute with", float.as_str())))
+        }
         DeValue::Float(float) => Some(Ok(float.as_str().to_owned())),
         _ => None,
     }

@@ -131,7 +131,7 @@ fn number(value: &toml::Value) -> f64 {
             let (over, under) = text.split_once('/').unwrap();
             over.parse::<f64>().unwrap() / under.parse::<f64>().unwrap()
         }
-        other => panic!("{other} is no number"),
+        other => panic!("{other:?} is no number"),
     }
 }
 

@@ -5,6 +5,7 @@ use crate::program::CellId;
 use crate::program::builder::Builder;
 
 use super::super::Functional;
+use super::count::longest_count;
 use super::{injections, late_len, window_len};
 
 /// The cells of a window method.
@@ -17,7 +18,7 @@ pub(super) struct Cells {
     pub(super) inputs: Vec<CellId>,
     /// Slot of age 0.
     pub(super) newest: CellId,
-    /// Good samples in a row, at most N+1.
+    /// Good samples in a row; from N+1 on predicted ones too.
     pub(super) count: CellId,
     /// Calls until no replaced sample is in the window.
     pub(super) coasting: CellId,
