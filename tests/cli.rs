@@ -34,7 +34,9 @@ impl Ended {
 
     /// Standard error has all of these.
     fn complains(self, words: &[&str]) -> Self {
-        words.iter().for_each(|word| assert!(self.err.contains(word), "`{word}` is not in\n{}", self.err));
+        for word in words {
+            assert!(self.err.contains(word), "`{word}` is not in\n{}", self.err);
+        }
         self
     }
 }
@@ -178,7 +180,9 @@ fn design() {
         "deadbeat", "name", "method", "realization", "n", "inputs", "outputs", "states", "unknowns", "sample_time",
         "window_steps", "valid_from_step", "constants", "fir", "certificate", "cost", "numerics", "warnings",
     ];
-    keys.iter().for_each(|key| assert!(json.get(key).is_some(), "{key}"));
+    for key in keys {
+        assert!(json.get(key).is_some(), "{key}");
+    }
     assert_eq!(json["states"], serde_json::json!(["q", "dq", "i"]));
     assert_eq!((json["n"].as_u64(), json["window_steps"].as_u64()), (Some(3), Some(100)));
     let (k, m) = (json["fir"]["K"].as_array().expect("K"), json["fir"]["M"].as_array().expect("M"));
@@ -194,7 +198,9 @@ fn design() {
         ("cost", &["ram_bytes", "flash_bytes", "flops_worst", "flops_mean"]),
         ("numerics", &["digits", "agreement", "condition"]),
     ] {
-        keys.iter().for_each(|key| assert!(!json[part][key].is_null(), "{part}.{key}"));
+        for key in keys {
+            assert!(!json[part][key].is_null(), "{part}.{key}");
+        }
     }
     let double = desk.run("design dc_motor.toml --format json --scalar f64").is(0).json();
     assert_eq!(double["constants"], json["constants"], "the design does not depend on the scalar");
@@ -219,7 +225,9 @@ fn generate() {
         let time = fs::metadata(desk.path("gen").join(name)).and_then(|it| it.modified()).expect("its time");
         time == long_ago
     };
-    names.iter().for_each(|name| age(name));
+    for name in names {
+        age(name);
+    }
     assert_eq!(desk.run("generate pendulum.toml dc_motor.toml --out gen").is(0).out, "nothing has changed\n");
     assert!(names.iter().all(|name| is_old(name)), "files that are right are left alone");
     desk.write("gen/pendulum.c", "something else\n");
@@ -305,8 +313,12 @@ fn list() {
         assert_eq!((listed["name"].as_str(), listed["summary"].as_str()), (Some(method.name), Some(method.summary)));
         assert_eq!(listed["keys"].as_array().map(Vec::len), Some(method.keys.len()));
         let page = desk.run(&format!("list {}", method.name)).is(0).out;
-        method.keys.iter().for_each(|(key, _, meaning)| assert!(page.contains(key) && page.contains(meaning), "{page}"));
-        method.realizations.iter().for_each(|(name, _)| assert!(page.contains(name), "{page}"));
+        for word in method.keys.iter().flat_map(|(key, _, meaning)| [key, meaning]) {
+            assert!(page.contains(word), "{page}");
+        }
+        for (name, _) in method.realizations {
+            assert!(page.contains(name), "{page}");
+        }
         assert_eq!(desk.run(&format!("list {} --format json", method.name)).is(0).json(), *listed);
     }
     desk.run("list nosuch").is(3).complains(&["there is no method `nosuch`", METHODS[0].name]);

@@ -285,13 +285,11 @@ fn line_02_the_printed_cost_is_a_bound() {
         c_compilers().into_iter().flat_map(|it| subjects().iter().map(move |subject| (subject, it))).collect();
     wrong.extend(side_by_side(&jobs, |(subject, compiler)| flash(subject, compiler)).into_iter().flatten());
     for compiler in c_compilers() {
-        let checks: String = subjects()
-            .iter()
-            .map(|it| {
-                let (name, bytes) = (&it.name, counted(it).ram_bytes);
-                format!("#include \"{name}.h\"\ntypedef char {name}_has_its_size[sizeof({name}_state) == {bytes} ? 1 : -1];\n")
-            })
-            .collect();
+        let check = |it: &Subject| {
+            let (name, bytes) = (&it.name, counted(it).ram_bytes);
+            format!("#include \"{name}.h\"\ntypedef char {name}_has_its_size[sizeof({name}_state) == {bytes} ? 1 : -1];\n")
+        };
+        let checks: String = subjects().iter().map(check).collect();
         let path = files().join("sizes.c");
         put(&path, &checks);
         succeed(Command::new(compiler).args(["-std=c99", "-fsyntax-only"]).arg(&path));
@@ -424,9 +422,7 @@ fn rust_crate() -> &'static Path {
         if !project.join("Cargo.lock").exists() {
             put(&project.join("Cargo.lock"), &lock);
         }
-        let modules: String =
-            subjects().iter().map(|it| format!("#[allow(missing_docs)]\npub mod {};\n", it.name)).collect();
-        let modules = modules.replace("#[allow(missing_docs)]\n", "");
+        let modules = subjects().iter().fold(String::new(), |text, it| text + "pub mod " + &it.name + ";\n");
         put(&project.join("src/lib.rs"), &format!("//! Every observer.\n#![no_std]\n#![forbid(unsafe_code)]\n\n{modules}"));
         for subject in subjects() {
             put(&project.join(format!("src/{}.rs", subject.name)), subject.file("rs"));

@@ -103,7 +103,7 @@ fn users() -> &'static Path {
         if !folder.join("Cargo.lock").exists() {
             fs::copy(root().join("Cargo.lock"), folder.join("Cargo.lock")).expect("the lock file");
         }
-        let (runtime, codegen) = (root().join("runtime"), root().display().to_string());
+        let (runtime, codegen) = (root().join("runtime").display().to_string(), root().display().to_string());
         let built = format!(
             "edition = \"2024\"\n\n[dependencies]\ndeadbeat = {{ path = {runtime:?} }}\n\n[build-dependencies]\n\
              deadbeat-codegen = {{ path = {codegen:?}, default-features = false }}\n"

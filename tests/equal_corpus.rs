@@ -26,7 +26,6 @@ fn smooth(span: Span, step: usize, window: usize, place: usize, random: &mut Ran
 fn spoilt(value: f64, step: usize, window: usize, random: &mut Random) -> f64 {
     let since = step.saturating_sub(2 * window);
     match since {
-        0 => value,
         // One missing sample now and then: coasting, in which the model fills in.
         1..60 if random.one_in(8) => f64::NAN,
         // A burst that is shorter than the shortest window, then one that is longer than any.

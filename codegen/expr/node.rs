@@ -254,14 +254,15 @@ fn division_by_zero(span: &Range<usize>) -> Diagnostic {
 impl Node {
     /// Visits the largest subtrees in which nothing varies.
     pub fn visit_constants(&self, visit: &mut dyn FnMut(&Self)) {
-        match &self.kind {
-            NodeKind::Constant => visit(self),
-            NodeKind::Symbol(_) => {}
-            NodeKind::Sum(parts) | NodeKind::Product(parts) => {
-                parts.iter().for_each(|(_, part)| part.visit_constants(visit))
-            }
-            NodeKind::Power(base, _) => base.visit_constants(visit),
-            NodeKind::Call(_, arguments) => arguments.iter().for_each(|a| a.visit_constants(visit)),
+        let parts: Vec<&Self> = match &self.kind {
+            NodeKind::Constant => return visit(self),
+            NodeKind::Symbol(_) => Vec::new(),
+            NodeKind::Sum(parts) | NodeKind::Product(parts) => parts.iter().map(|(_, part)| part).collect(),
+            NodeKind::Power(base, _) => vec![base],
+            NodeKind::Call(_, arguments) => arguments.iter().collect(),
+        };
+        for part in parts {
+            part.visit_constants(visit);
         }
     }
 }

@@ -101,7 +101,6 @@ fn refuse_unreadable(text: &str) -> Result<(), ParseError> {
             ')' if open.pop().is_none() => {
                 return refuse(here, "this parenthesis closes nothing".into(), Some("remove it, or open one before"));
             }
-            ')' => {}
             '*' if text[at..].starts_with("**") => {
                 return refuse(at..at + 2, "`**` is not an operator".into(), Some("write powers with `^`"));
             }
@@ -112,7 +111,8 @@ fn refuse_unreadable(text: &str) -> Result<(), ParseError> {
                     Some("write it behind `#`, after the expression"),
                 );
             }
-            'a'..='z'
+            ')'
+            | 'a'..='z'
             | 'A'..='Z'
             | '0'..='9'
             | '_'

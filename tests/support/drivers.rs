@@ -106,7 +106,7 @@ fn c_main(subjects: &[Subject]) -> String {
 
 /// The header of each observer.
 fn includes(subjects: &[Subject]) -> String {
-    subjects.iter().map(|it| format!("#include \"{}.h\"\n", it.name)).collect()
+    subjects.iter().fold(String::new(), |text, it| text + "#include \"" + &it.name + ".h\"\n")
 }
 
 /// One program in C.
@@ -114,7 +114,9 @@ pub fn together(subjects: &[Subject]) -> String {
     let mut text = String::from("#include <math.h>\n#include <stdint.h>\n#include <stdio.h>\n#include <string.h>\n\n");
     text += &includes(subjects);
     text = text + "\n" + C_HEAD;
-    subjects.iter().for_each(|it| text += &c_run(it));
+    for subject in subjects {
+        text += &c_run(subject);
+    }
     text + &c_main(subjects)
 }
 
@@ -159,9 +161,7 @@ fn c_run(subject: &Subject) -> String {
     let declared = if has_inputs { format!("    {name}_inputs inputs;\n    const {name}_inputs *applied = &inputs;\n") } else { String::new() };
     let passed = if has_inputs { "applied, " } else { "" };
     let fill = c_fill(subject, "number(&run->seed, CENTRE, AMPLITUDE)");
-    let hashed: String = (program.estimates.iter())
-        .map(|(field, _)| format!("    mix(&run->hash, &estimate.{0}, sizeof estimate.{0});\n", field.name))
-        .collect();
+    let hashed = estimates(subject, |name| format!("    mix(&run->hash, &estimate.{name}, sizeof estimate.{name});\n"));
     let upper = name.to_uppercase();
     format!(
         "
@@ -214,6 +214,11 @@ fn each(subject: &Subject, line: impl Fn(&str, &Field, Span) -> String) -> Strin
     let measured = program.measurements.iter().zip(subject.measured()).map(|(field, span)| line("measurements", field, span));
     let applied = program.inputs.iter().zip(subject.applied()).map(|(field, span)| line("inputs", field, span));
     measured.chain(applied).collect()
+}
+
+/// A line for each estimate.
+fn estimates(subject: &Subject, line: impl Fn(&str) -> String) -> String {
+    subject.generated.program.estimates.iter().map(|(field, _)| line(&field.name)).collect()
 }
 
 /// The same in Rust: the binary of a crate whose library has every observer as a module.
@@ -307,8 +312,7 @@ fn run<O: Observer + Default + Copy>(
             })
         };
         let inputs = if program.inputs.is_empty() { "()".to_owned() } else { format!("contract::{name}::Inputs {{ {}}}", fill("inputs")) };
-        let hashed: String =
-            program.estimates.iter().map(|(field, _)| format!("mix(hash, &estimate.{}.to_ne_bytes()); ", field.name)).collect();
+        let hashed = estimates(subject, |name| format!("mix(hash, &estimate.{name}.to_ne_bytes()); "));
         let _ = writeln!(
             text,
             "    run::<contract::{name}::Observer>(\"{name}\", |seed| (contract::{name}::Measurements {{ {}}}, {inputs}), \
@@ -375,9 +379,7 @@ fn c_abuse(subject: &Subject) -> String {
             format!("        {}", line("gone ? 0 : step"))
         }
     });
-    let mut checks: String = (program.estimates.iter())
-        .map(|(field, _)| format!("        fine = fine && isfinite(estimate.{});\n", field.name))
-        .collect();
+    let mut checks = estimates(subject, |name| format!("        fine = fine && isfinite(estimate.{name});\n"));
     for cell in &program.cells {
         match cell.kind {
             CellKind::Float { .. } => drop(writeln!(checks, "        fine = fine && isfinite(state.{});", cell.name)),

@@ -53,7 +53,7 @@ fn read_arguments(arguments: &str) -> Result<(String, Settings), String> {
     let parts = |input: ParseStream| {
         let path: syn::LitStr = input.parse()?;
         let comma: Option<syn::Token![,]> = input.parse()?;
-        let rest: proc_macro2::TokenStream = if comma.is_some() { input.parse()? } else { Default::default() };
+        let rest = if comma.is_some() { input.parse()? } else { proc_macro2::TokenStream::new() };
         Ok((path, rest))
     };
     let (path, rest) = parts.parse_str(arguments).map_err(|_| usage())?;
