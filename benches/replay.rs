@@ -2,6 +2,8 @@
 //!
 //! `cargo bench --bench replay`; medians of repeated runs, one process.
 
+#![allow(clippy::cast_precision_loss, reason = "figures for people")]
+
 use std::fmt::Write as _;
 use std::fs;
 use std::io::{BufWriter, Write as _};
@@ -48,7 +50,7 @@ fn median(repeated: usize, mut run: impl FnMut()) -> Duration {
 /// A motor's angle and voltage, near enough to one: what a step computes does not depend on them.
 fn sample(row: usize) -> (f64, f64) {
     let t = row as f64 * 1e-3;
-    ((1.3 * t).sin() + 0.1 * (17.0 * t).cos(), if row / 250 % 2 == 0 { 4.0 } else { -3.0 })
+    ((1.3 * t).sin() + 0.1 * (17.0 * t).cos(), if (row / 250).is_multiple_of(2) { 4.0 } else { -3.0 })
 }
 
 /// A million steps of a window of 101 samples of a plant with three states.
@@ -127,7 +129,7 @@ fn run(folder: &Path, log: &Path) -> Option<u32> {
     }
 }
 
-/// VmHWM of a child that still runs.
+/// The high water mark of the memory of a child that still runs.
 fn high_water(child: &Child) -> Option<u32> {
     let status = fs::read_to_string(format!("/proc/{}/status", child.id())).ok()?;
     let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
@@ -140,7 +142,7 @@ fn corpus() {
     let mut names: Vec<String> = fs::read_dir(specs())
         .unwrap()
         .map(|entry| entry.unwrap().file_name().into_string().unwrap())
-        .filter(|name| name.ends_with(".toml"))
+        .filter(|name| Path::new(name).extension().is_some_and(|e| e == "toml"))
         .collect();
     names.sort();
     let mut whole = Duration::ZERO;
@@ -166,14 +168,22 @@ fn long_windows() {
     text += "[inputs]\nu = {}\n[outputs]\ny = { value = 'x1' }\n";
     let mut first = None;
     for steps in [100, 1_000, 10_000] {
-        let text = format!("{text}[observer.window]\nwindow = {}\n[target]\nsample_time = 0.001\nscalar = \"f64\"\n", f64::from(steps) / 1e3);
+        let text = format!(
+            "{text}[observer.window]\nwindow = {}\n[target]\nsample_time = 0.001\nscalar = \"f64\"\n",
+            f64::from(steps) / 1e3
+        );
         let mut result = None;
-        let time = median(if steps < 10_000 { 3 } else { 1 }, || result = Some(Generator::new(&text, "chain.toml").generate()));
+        let time = median(if steps < 10_000 { 3 } else { 1 }, || {
+            result = Some(Generator::new(&text, "chain.toml").generate());
+        });
         let outcome = match result.unwrap() {
             Ok(output) => format!("{} bytes", output.files().iter().map(|file| file.text.len()).sum::<usize>()),
             Err(report) => format!("refused: {}", report.diagnostics[0].message),
         };
         let seconds = time.as_secs_f64();
-        println!("  N = {steps}: {seconds:.3} s, {:.1} times the shortest; {outcome}", seconds / *first.get_or_insert(seconds));
+        println!(
+            "  N = {steps}: {seconds:.3} s, {:.1} times the shortest; {outcome}",
+            seconds / *first.get_or_insert(seconds)
+        );
     }
 }

@@ -120,7 +120,9 @@ impl Output {
                     found: String::from_utf8_lossy(&found).into_owned(),
                     wanted: file.text.clone(),
                 }),
-                Err(error) if error.kind() == io::ErrorKind::NotFound => differences.push(Difference::Missing(path.clone())),
+                Err(error) if error.kind() == io::ErrorKind::NotFound => {
+                    differences.push(Difference::Missing(path.clone()))
+                }
                 Err(error) => return Err(error),
             }
             wanted.insert(path);

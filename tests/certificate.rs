@@ -2,6 +2,13 @@
 //! the worst-case gain, white noise the other; no bounded disturbance passes its gain and one comes
 //! within 1 % of it; the error bound holds for a nonlinear plant up to the hold's error.
 
+#![allow(
+    clippy::cast_precision_loss,
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "counts of calls and samples are small"
+)]
+
 #[path = "support/plant.rs"]
 mod plant;
 #[path = "support/truths.rs"]
@@ -42,32 +49,36 @@ fn estimate(generated: &Generated, window: &[Vec<f64>]) -> Vec<f64> {
     estimate
 }
 
-/// noise_gain_l1: the sign sequence of one output's weights gives exactly that error, random noise never more.
+/// `noise_gain_l1`: the sign sequence of one output's weights gives exactly that error, random noise never more.
 #[test]
 fn the_worst_case_noise_gain_is_attained() {
     for (name, text) in linear_specs() {
         let generated = designed(&text);
-        let (n, steps, fir) = (generated.plant.states.len(), generated.design.valid_from_step, functional(&generated));
+        let (steps, fir) = (generated.design.valid_from_step, functional(&generated));
         let outputs = generated.plant.outputs.len();
         let gains = &generated.design.certificate.noise_gain_l1;
         let mut random = Random::new(1);
         let mut fullest = 0.0_f64;
-        for state in 0..n {
-            for output in 0..outputs {
-                let gain = gains[state][output];
+        for (state, gains) in gains.iter().enumerate() {
+            for (output, gain) in gains.iter().enumerate() {
                 let worst = (0..=steps).rev().map(|age| {
                     let sign = |o: usize| if fir.outputs[o].at(state, age).double < 0.0 { -1.0 } else { 1.0 };
                     (0..outputs).map(|o| if o == output { sign(o) } else { 0.0 }).collect()
                 });
                 let error = estimate(&generated, &worst.collect::<Vec<Vec<f64>>>())[state];
                 // Sums of N+1 terms of one sign, in two orders: (N+1) u apart, below 2e-14 for these windows.
-                assert!((error - gain).abs() <= 1e-12 * gain, "{name}, state {state}, output {output}: {error}, gain {gain}");
+                assert!(
+                    (error - gain).abs() <= 1e-12 * gain,
+                    "{name}, state {state}, output {output}: {error}, gain {gain}"
+                );
             }
         }
         for _ in 0..50 {
             let signs = random.below(2) == 0;
             let noise: Vec<Vec<f64>> = (0..=steps)
-                .map(|_| (0..outputs).map(|_| random.within(-1.0, 1.0)).map(|v| if signs { v.signum() } else { v }).collect())
+                .map(|_| {
+                    (0..outputs).map(|_| random.within(-1.0, 1.0)).map(|v| if signs { v.signum() } else { v }).collect()
+                })
                 .collect();
             for (error, gains) in estimate(&generated, &noise).iter().zip(gains) {
                 let all: f64 = gains.iter().sum();
@@ -79,7 +90,7 @@ fn the_worst_case_noise_gain_is_attained() {
     }
 }
 
-/// noise_gain_l2: the deviation of the estimate from white noise, over windows that share no sample.
+/// `noise_gain_l2`: the deviation of the estimate from white noise, over windows that share no sample.
 #[test]
 fn the_white_noise_gain_is_the_measured_deviation() {
     /// The deviation of a deviation from so many independent windows is 1 / sqrt(2 WINDOWS), 1.6 %.
@@ -105,7 +116,10 @@ fn the_white_noise_gain_is_the_measured_deviation() {
                 let gain = generated.design.certificate.noise_gain_l2[state][output];
                 // Four and a half deviations: one in 150,000 comparisons, of which there are 60.
                 let allowed = 4.5 / f64::from(2 * WINDOWS).sqrt();
-                assert!((measured - gain).abs() <= allowed * gain, "{name}, state {state}, output {output}: {measured}, gain {gain}");
+                assert!(
+                    (measured - gain).abs() <= allowed * gain,
+                    "{name}, state {state}, output {output}: {measured}, gain {gain}"
+                );
             }
         }
     }
@@ -162,7 +176,7 @@ impl Disturbed {
     }
 }
 
-/// disturbance_gain_l1: an upper bound for everything, and within 1 % of what bang-bang attains.
+/// `disturbance_gain_l1`: an upper bound for everything, and within 1 % of what bang-bang attains.
 #[test]
 fn the_disturbance_gain_is_a_tight_bound() {
     let generated = designed(&edited(&corpus("dc_motor"), " - a1*sin(q)", ""));
@@ -176,7 +190,11 @@ fn the_disturbance_gain_is_a_tight_bound() {
         let worst: Vec<f64> = kernel.iter().map(|k| -k[state].signum()).collect();
         let attained = motor.error(&generated, &worst)[state];
         let gain = gains[state][0];
-        println!("{}: bang-bang attains {attained:.6e}, gain {gain:.6e}, {:.3} % above", generated.plant.states[state].label.name, (gain / attained - 1.0) * 100.0);
+        println!(
+            "{}: bang-bang attains {attained:.6e}, gain {gain:.6e}, {:.3} % above",
+            generated.plant.states[state].label.name,
+            (gain / attained - 1.0) * 100.0
+        );
         assert!(attained <= gain, "state {state}: {attained} above {gain}");
         assert!(gain <= 1.01 * attained, "state {state}: {gain} far above {attained}");
     }
@@ -197,14 +215,15 @@ fn the_disturbance_gain_is_a_tight_bound() {
     }
 }
 
-/// error_bound: the pendulum with its declared noise at the worst signs, for each of the states.
+/// `error_bound`: the pendulum with its declared noise at the worst signs, for each of the states.
 #[test]
 fn the_error_bound_holds_for_a_nonlinear_plant() {
     const LEVEL: f64 = 2e-4;
     let generated = designed(&corpus("pendulum"));
     let (truth, steps, fir) = (truth("pendulum").unwrap(), generated.design.valid_from_step, functional(&generated));
-    let bounds: Vec<f64> = generated.design.certificate.error_bound.iter().map(|b| b.expect("noise is declared")).collect();
-    for state in 0..2 {
+    let bounds: Vec<f64> =
+        generated.design.certificate.error_bound.iter().map(|b| b.expect("noise is declared")).collect();
+    for (state, bound) in bounds.iter().enumerate() {
         let (mut largest, mut hold) = (0.0_f64, 0.0_f64);
         for seed in 0..20 {
             let run = truth.run(1e-3, 1, 400, seed);
@@ -218,17 +237,21 @@ fn the_error_bound_holds_for_a_nonlinear_plant() {
                     }
                     let error = (noisy.through(&generated).estimates[at][state] - run.states[at][state]).abs();
                     // The straight lines' own error is no part of the certificate; it is measured here without noise.
-                    assert!(error <= bounds[state] + clean, "state {state}, seed {seed}: {error:e} above {:e} + {clean:e}", bounds[state]);
+                    assert!(
+                        error <= *bound + clean,
+                        "state {state}, seed {seed}: {error:e} above {:e} + {clean:e}",
+                        *bound
+                    );
                     (largest, hold) = (largest.max(error), hold.max(clean));
                 }
             }
         }
-        println!("{}: {largest:.4e} of {:.4e}, hold {hold:.1e}", generated.plant.states[state].label.name, bounds[state]);
-        assert!(largest > 0.9 * bounds[state], "state {state}: the bound {:e} is far from {largest:e}", bounds[state]);
+        println!("{}: {largest:.4e} of {:.4e}, hold {hold:.1e}", generated.plant.states[state].label.name, *bound);
+        assert!(largest > 0.9 * *bound, "state {state}: the bound {:e} is far from {largest:e}", *bound);
     }
 }
 
-/// error_bound with a disturbance: the motor with both at their worst, each part attained separately.
+/// `error_bound` with a disturbance: the motor with both at their worst, each part attained separately.
 #[test]
 fn the_error_bound_is_the_sum_of_its_parts() {
     let generated = designed(&edited(&corpus("dc_motor"), " - a1*sin(q)", ""));

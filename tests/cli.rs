@@ -77,7 +77,8 @@ impl Desk {
     fn fed(&self, line: &str, input: &str) -> Ended {
         let mut command = Command::new(env!("CARGO_BIN_EXE_deadbeat"));
         command.current_dir(&self.0).args(line.split_whitespace());
-        let mut child = command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("it runs");
+        let mut child =
+            command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("it runs");
         // A command that refuses does not read to the end.
         let _ = child.stdin.take().expect("its input").write_all(input.as_bytes());
         let output = child.wait_with_output().expect("it ends");
@@ -177,8 +178,24 @@ fn design() {
 
     let json = desk.run("design dc_motor.toml --format json").is(0).json();
     let keys = [
-        "deadbeat", "name", "method", "realization", "n", "inputs", "outputs", "states", "unknowns", "sample_time",
-        "window_steps", "valid_from_step", "constants", "fir", "certificate", "cost", "numerics", "warnings",
+        "deadbeat",
+        "name",
+        "method",
+        "realization",
+        "n",
+        "inputs",
+        "outputs",
+        "states",
+        "unknowns",
+        "sample_time",
+        "window_steps",
+        "valid_from_step",
+        "constants",
+        "fir",
+        "certificate",
+        "cost",
+        "numerics",
+        "warnings",
     ];
     for key in keys {
         assert!(json.get(key).is_some(), "{key}");
@@ -189,7 +206,9 @@ fn design() {
     assert_eq!((k.len(), m.len()), (101, 101), "ages 0 to N");
     assert_eq!((k[0].as_array().map(Vec::len), k[0][0].as_array().map(Vec::len)), (Some(3), Some(1)));
     let known = json["fir"]["known"].as_array().expect("known").len();
-    assert!(m.iter().all(|rows| rows.as_array().is_some_and(|it| it.iter().all(|row| row.as_array().is_some_and(|r| r.len() == known)))));
+    assert!(m.iter().all(|rows| {
+        rows.as_array().is_some_and(|it| it.iter().all(|row| row.as_array().is_some_and(|r| r.len() == known)))
+    }));
     // A zero-order hold: what is applied now has not acted yet. (A nonlinear injection has: it is sampled.)
     assert_eq!(json["fir"]["known"][0], "u");
     assert!((0..3).all(|i| m[0][i][0] == 0.0), "{}", m[0]);
@@ -274,10 +293,15 @@ fn verify() {
     let stale = desk.read("gen/pendulum.c").replacen("0.0f", "1.0f", 1);
     desk.write("gen/pendulum.c", &stale);
     let out = desk.run(line).is(2).out;
-    for part in ["stale: gen/pendulum.c\n", "--- gen/pendulum.c (on disk)\n", "+++ gen/pendulum.c (generated)\n", "\n@@ -"] {
+    for part in
+        ["stale: gen/pendulum.c\n", "--- gen/pendulum.c (on disk)\n", "+++ gen/pendulum.c (generated)\n", "\n@@ -"]
+    {
         assert!(out.contains(part), "{part}\n{out}");
     }
-    let changed = |sign: char| out.lines().find(|line| line.starts_with(sign) && !line.starts_with([sign; 3].iter().collect::<String>().as_str()));
+    let changed = |sign: char| {
+        out.lines()
+            .find(|line| line.starts_with(sign) && !line.starts_with([sign; 3].iter().collect::<String>().as_str()))
+    };
     assert!(changed('-').is_some_and(|line| line.contains("1.0f")), "{out}");
     assert!(changed('+').is_some_and(|line| line.contains("0.0f")), "{out}");
     assert_eq!(desk.read("gen/pendulum.c"), stale, "verify writes nothing");
@@ -289,7 +313,8 @@ fn verify() {
     desk.run(line.replace("verify", "generate").as_str()).is(0);
     desk.write("gen/mine.c", "/* a file that no tool made */\n");
     let out = desk.run("verify dc_motor.toml --out gen").is(2).out;
-    let left_over: Vec<&str> = out.lines().filter_map(|line| line.strip_prefix("left over, no specification makes it: ")).collect();
+    let left_over: Vec<&str> =
+        out.lines().filter_map(|line| line.strip_prefix("left over, no specification makes it: ")).collect();
     assert_eq!(left_over, ["gen/pendulum.c", "gen/pendulum.h", "gen/pendulum.rs"], "{out}");
     assert_eq!(desk.run("verify dc_motor.toml pendulum.toml --lang rust --out gen").is(0).out, "gen is up to date\n");
     let json = desk.run("verify dc_motor.toml --lang rust --out gen --format json").is(2).json();
@@ -345,7 +370,13 @@ fn run_writes_the_estimate() {
     // The window has 51 samples: a missing one is in the next 51 windows.
     let coasting = |row: usize| [120, 200, 201, 260, 261].iter().any(|missing| (*missing..missing + 51).contains(&row));
     for (row, cells) in cells.iter().enumerate() {
-        let status = if row < 50 { "converging" } else if coasting(row) { "coasting" } else { "converged" };
+        let status = if row < 50 {
+            "converging"
+        } else if coasting(row) {
+            "coasting"
+        } else {
+            "converged"
+        };
         assert_eq!((cells.len(), cells[3]), (4, status), "row {row}");
         assert_eq!(cells[0], rows[row].split(',').next().expect("its time"));
         let number = |cell: &str| cell.parse::<f64>().expect("a number");
@@ -355,11 +386,13 @@ fn run_writes_the_estimate() {
     assert_eq!(desk.names("."), ["dc_motor.toml", "est.csv", "log.csv", "pendulum.toml"]);
 
     // Without times, rows are at the sample time; standard input and output stand for files.
-    let untimed: String = recording(&rows).lines().map(|line| line.split_once(',').expect("two cells").1.to_owned() + "\n").collect();
+    let untimed: String =
+        recording(&rows).lines().map(|line| line.split_once(',').expect("two cells").1.to_owned() + "\n").collect();
     let untimed = untimed.replace("\n\n", "\n\"\"\n");
     let piped = desk.fed("run pendulum.toml --log - --out -", &untimed).is(0);
     assert!(piped.err.contains("400 rows"), "the report gives way to the file: {}", piped.err);
-    let without_time = |text: &str| text.lines().map(|line| line.split_once(',').expect("cells").1.to_owned()).collect::<Vec<_>>();
+    let without_time =
+        |text: &str| text.lines().map(|line| line.split_once(',').expect("cells").1.to_owned()).collect::<Vec<_>>();
     assert_eq!(without_time(&piped.out), without_time(&estimate));
 }
 
@@ -388,7 +421,9 @@ fn run_compares() {
     desk.run("run pendulum.toml --log log.csv --reference speed=speed").is(3).complains(&["--reference", "`speed`"]);
     desk.run("run pendulum.toml --log log.csv").is(1).complains(&["there is no column `theta`", "`encoder`"]);
     desk.write("near.csv", "t,teta\n0,1\n");
-    desk.run("run pendulum.toml --log near.csv").is(1).complains(&["there is no column `theta`", "did you mean `teta`?"]);
+    desk.run("run pendulum.toml --log near.csv")
+        .is(1)
+        .complains(&["there is no column `theta`", "did you mean `teta`?"]);
 }
 
 /// Claim: a mistake in a recording is named by line and column, ends with 1, and leaves neither the
@@ -433,15 +468,21 @@ fn run_names_mistakes_and_leaves_nothing() {
 #[test]
 fn run_bridges_gaps_in_time() {
     let desk = Desk::new("gaps");
-    let rows: Vec<String> = swing(400).into_iter().enumerate().filter(|(k, _)| !(200..210).contains(k)).map(|it| it.1).collect();
+    let rows: Vec<String> =
+        swing(400).into_iter().enumerate().filter(|(k, _)| !(200..210).contains(k)).map(|it| it.1).collect();
     desk.write("log.csv", &recording(&rows));
     let ended = desk.run("run pendulum.toml --log log.csv --out est.csv").is(0);
     assert!(ended.out.contains("10 samples that the recording's time leaves out"), "{}", ended.out);
     let estimate = desk.read("est.csv");
-    let status = |t: &str| estimate.lines().find(|line| line.starts_with(&format!("{t},"))).and_then(|line| line.rsplit(',').next());
+    let status = |t: &str| {
+        estimate.lines().find(|line| line.starts_with(&format!("{t},"))).and_then(|line| line.rsplit(',').next())
+    };
     assert_eq!(status("0.199"), Some("converged"));
     assert_eq!(status("0.205"), None, "no row, no estimate");
-    assert_eq!((status("0.21"), status("0.259"), status("0.26")), (Some("coasting"), Some("coasting"), Some("converged")));
+    assert_eq!(
+        (status("0.21"), status("0.259"), status("0.26")),
+        (Some("coasting"), Some("coasting"), Some("converged"))
+    );
 }
 
 /// Claim: the figure is well-formed XML that a screen reader can name and describe; its texts are

@@ -246,7 +246,15 @@ int main(void)
     assert!(!c_compilers().is_empty(), "a C compiler is needed: gcc or clang");
     for compiler in c_compilers() {
         let mut command = Command::new(compiler);
-        command.current_dir(&folder).args(["-std=c99", "-O2", "-ffp-contract=off", "main.c", "dc_motor.c", "-o", "main"]);
+        command.current_dir(&folder).args([
+            "-std=c99",
+            "-O2",
+            "-ffp-contract=off",
+            "main.c",
+            "dc_motor.c",
+            "-o",
+            "main",
+        ]);
         succeed(&mut command);
         assert_eq!(succeed(&mut Command::new(folder.join("main"))), expected(Scalar::F32), "{compiler}");
     }
@@ -308,15 +316,27 @@ int main()
         let warnings = ["-Wall", "-Wextra", "-Wpedantic", "-Werror"];
         let object = |compiler: &str, language: &[&str]| {
             let mut command = Command::new(compiler);
-            command.current_dir(&folder).args(["-O2", "-ffp-contract=off", "-c"]).args(language).args(["dc_motor.c", "-o", "motor.o"]);
+            command.current_dir(&folder).args(["-O2", "-ffp-contract=off", "-c"]).args(language).args([
+                "dc_motor.c",
+                "-o",
+                "motor.o",
+            ]);
             succeed(&mut command);
         };
         for (compiler, language) in [(c, &["-std=c99"][..]), (cpp, &["-x", "c++", "-std=c++11"])] {
             object(compiler, language);
             let mut command = Command::new(cpp);
-            command.current_dir(&folder).args(["-std=c++11", "-O2"]).args(warnings).args(["main.cpp", "motor.o", "-o", "main"]);
+            command
+                .current_dir(&folder)
+                .args(["-std=c++11", "-O2"])
+                .args(warnings)
+                .args(["main.cpp", "motor.o", "-o", "main"]);
             succeed(&mut command);
-            assert_eq!(succeed(&mut Command::new(folder.join("main"))), expected(Scalar::F32), "{compiler} {language:?}");
+            assert_eq!(
+                succeed(&mut Command::new(folder.join("main"))),
+                expected(Scalar::F32),
+                "{compiler} {language:?}"
+            );
         }
     }
 }

@@ -28,7 +28,7 @@ fn spoilt(value: f64, step: usize, window: usize, random: &mut Random) -> f64 {
     match since {
         // One missing sample now and then: coasting, in which the model fills in.
         1..60 if random.one_in(8) => f64::NAN,
-        // A burst that is shorter than the shortest window, then one that is longer than any.
+        // Bursts: of nothing, of odd numbers among good ones, of numbers out of range, of odd ones only.
         70..78 => f64::NAN,
         90..130 if random.one_in(3) => random.among(&ODD),
         130..170 if random.one_in(5) => value * 1e6,

@@ -3,6 +3,13 @@
 //! order for others, and the status is Coasting for just as long as the window holds a prediction.
 //! Bad inputs cost what their replacement differs by, and nothing makes the observer fail for good.
 
+#![allow(
+    clippy::cast_precision_loss,
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "counts of calls and samples are small"
+)]
+
 #[path = "support/plant.rs"]
 mod plant;
 #[path = "support/truths.rs"]
@@ -11,7 +18,9 @@ mod truths;
 use deadbeat_codegen::Generated;
 use deadbeat_codegen::program::interp::Interpreter;
 use deadbeat_codegen::program::{Scalar, Status};
-use plant::{Answers, Hold, Random, Run, Truth, UNIT, at_sample_time, corpus, designed, designed_in, edited, functional};
+use plant::{
+    Answers, Hold, Random, Run, Truth, UNIT, at_sample_time, corpus, designed, designed_in, edited, functional,
+};
 use plant::{integration_rounding, matrix, rounding};
 use truths::{inverted_cart, late_position, names, truth};
 
@@ -109,8 +118,11 @@ fn growth(generated: &Generated, calls: usize) -> f64 {
 /// What rounding may do to a run with predictions: to a full window's share each prediction adds its
 /// own, at most as often as there are predictions, and the plant carries all of it on.
 fn prediction_rounding(generated: &Generated, truth: &Truth, run: &Run, predictions: usize) -> Vec<f64> {
-    let step: Vec<f64> =
-        if truth.discrete { run.sizes(0).iter().map(|x| 4.0 * x).collect() } else { integration_rounding(generated, run) };
+    let step: Vec<f64> = if truth.discrete {
+        run.sizes(0).iter().map(|x| 4.0 * x).collect()
+    } else {
+        integration_rounding(generated, run)
+    };
     let factor = (1 + predictions) as f64 * growth(generated, predictions);
     rounding(generated, run, &step, &[]).iter().map(|bound| factor * bound).collect()
 }
@@ -141,7 +153,7 @@ fn predictions_are_exact_for_linear_plants() {
             let relative = errors.iter().zip(run.sizes(n)).map(|(e, x)| e / x).fold(0.0, f64::max);
             println!("{name}, {what}: {relative:.1e} of the states, {worst:.1e} of the bound");
             assert!(worst <= 1.0, "{name}, {what}: {errors:?}, bounds {bounds:?}");
-            assert_eq!(*answers.statuses.last().unwrap() != Converging, true, "{name}, {what}");
+            assert_ne!(*answers.statuses.last().unwrap(), Converging, "{name}, {what}");
         }
     }
 }
@@ -189,7 +201,10 @@ fn predictions_are_of_second_order_for_nonlinear_plants() {
         }
         for (i, state) in coarse.plant.states.iter().enumerate() {
             let orders = [(errors[0][i] / errors[1][i]).log2(), (errors[1][i] / errors[2][i]).log2()];
-            println!("{name} {}: {:.1e}, {:.1e}, {:.1e}, orders {:.2}, {:.2}", state.label.name, errors[0][i], errors[1][i], errors[2][i], orders[0], orders[1]);
+            println!(
+                "{name} {}: {:.1e}, {:.1e}, {:.1e}, orders {:.2}, {:.2}",
+                state.label.name, errors[0][i], errors[1][i], errors[2][i], orders[0], orders[1]
+            );
             // As without misses: the next term is of order h^3 to h^4.
             assert!(orders.iter().all(|order| (1.8..2.3).contains(order)), "{name} {}: {orders:?}", state.label.name);
         }
@@ -199,7 +214,9 @@ fn predictions_are_of_second_order_for_nonlinear_plants() {
 /// NaN, both infinities and both sides of the range are the same as nothing at all, bit for bit.
 #[test]
 fn bad_samples_are_missing_samples() {
-    for (name, below, above) in [("thermal_stack", -50.5, 200.5), ("magnetic_levitation", 0.9e-3, 0.031), ("pendulum", -1e308, 1e308)] {
+    for (name, below, above) in
+        [("thermal_stack", -50.5, 200.5), ("magnetic_levitation", 0.9e-3, 0.031), ("pendulum", -1e308, 1e308)]
+    {
         let generated = designed(&corpus(name));
         let n = generated.design.valid_from_step;
         let run = truth(name).unwrap().run(generated.plant.sample_time_s(), 1, 3 * n, 8);
@@ -210,7 +227,8 @@ fn bad_samples_are_missing_samples() {
                 other.measurements[at][0] = bad;
                 let other = other.through(&generated);
                 assert_eq!(missing.statuses, other.statuses, "{name}, {bad} at call {at}");
-                let bits = |answers: &Answers| answers.estimates.iter().flatten().map(|x| x.to_bits()).collect::<Vec<_>>();
+                let bits =
+                    |answers: &Answers| answers.estimates.iter().flatten().map(|x| x.to_bits()).collect::<Vec<_>>();
                 assert_eq!(bits(&missing), bits(&other), "{name}, {bad} at call {at}");
             }
         }
@@ -249,10 +267,13 @@ fn a_bad_input_costs_what_its_replacement_differs_by() {
                 let bounds = prediction_rounding(&generated, &truth, &run, 0);
                 for call in n..3 * n {
                     let weight = |i: usize| call.checked_sub(at).map_or(0.0, |age| fir.knowns[input].at(i, age).double);
-                    for i in 0..run.states[call].len() {
+                    for (i, bound) in bounds.iter().enumerate() {
                         let error = answers.estimates[call][i] - run.states[call][i];
                         let explained = weight(i) * difference;
-                        assert!((error - explained).abs() <= bounds[i], "{name}, call {call}, state {i}: {error:e}, explained {explained:e}");
+                        assert!(
+                            (error - explained).abs() <= *bound,
+                            "{name}, call {call}, state {i}: {error:e}, explained {explained:e}"
+                        );
                     }
                 }
             }
@@ -342,9 +363,16 @@ fn an_unstable_plant_survives_the_loss_of_its_sensors() {
         let bounds: Vec<f64> = prediction_rounding(&generated, &truth, &run, 0).iter().map(|b| unit * b).collect();
         for (call, (y, u)) in run.measurements.iter().zip(&run.inputs).enumerate() {
             let status = interpreter.step(y, u, &mut estimate);
-            assert_eq!(status, if call < n { Converging } else { Converged }, "{scalar}, {call} calls after the return");
+            assert_eq!(
+                status,
+                if call < n { Converging } else { Converged },
+                "{scalar}, {call} calls after the return"
+            );
             let errors: Vec<f64> = estimate.iter().zip(&run.states[call]).map(|(a, b)| (a - b).abs()).collect();
-            assert!(status == Converging || errors.iter().zip(&bounds).all(|(e, b)| e <= b), "{scalar}: {errors:?}, bounds {bounds:?}");
+            assert!(
+                status == Converging || errors.iter().zip(&bounds).all(|(e, b)| e <= b),
+                "{scalar}: {errors:?}, bounds {bounds:?}"
+            );
         }
     }
 }

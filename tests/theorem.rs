@@ -2,8 +2,15 @@
 //! from the promised step on, to rounding; only plants that do not show their state are refused.
 //!
 //! Plants have up to six states, three outputs, some of them late, and two inputs of either hold;
-//! they are continuous or discrete, stable or not, written as matrices or as equations. Entries are
-//! dyadic, so that the simulation is of the same plant to the last bit.
+//! they are continuous or discrete, stable or not, written as matrices or as equations, weighted equally
+//! or for the worst case. Entries are dyadic, so that the simulation is of the same plant to the last bit.
+
+#![allow(
+    clippy::cast_precision_loss,
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "counts of calls and samples are small"
+)]
 
 #[path = "support/plant.rs"]
 mod plant;
@@ -24,6 +31,7 @@ const PLANTS: u32 = 200;
 struct Linear {
     discrete: bool,
     equations: bool,
+    minimax: bool,
     h: f64,
     steps: usize,
     a: DMatrix<f64>,
@@ -58,46 +66,66 @@ impl Linear {
         }
         let holds = (0..m).map(|_| if random.below(2) == 0 { Hold::Zero } else { Hold::First }).collect();
         let steps = n + delays.iter().max().unwrap() + spare;
-        Self { discrete, equations, h, steps, a, b, c, holds, delays }
+        let minimax = random.below(4) == 0;
+        Self { discrete, equations, minimax, h, steps, a, b, c, holds, delays }
     }
 
     /// The specification.
     fn text(&self) -> String {
         let mut text = "deadbeat = 1\nname = 'random'\n".to_owned();
         let row = |row: Vec<f64>| format!("[{}]", row.iter().map(f64::to_string).collect::<Vec<_>>().join(", "));
-        let rows = |m: &DMatrix<f64>| m.row_iter().map(|r| row(r.iter().copied().collect())).collect::<Vec<_>>().join(", ");
+        let rows =
+            |m: &DMatrix<f64>| m.row_iter().map(|r| row(r.iter().copied().collect())).collect::<Vec<_>>().join(", ");
         let sum = |r: Vec<f64>, letter: &str| {
             let terms = r.iter().enumerate().filter(|(_, x)| **x != 0.0);
             terms.map(|(i, x)| format!("({x})*{letter}{}", i + 1)).collect::<Vec<_>>().join(" + ")
         };
-        if !self.equations {
+        if self.equations {
+            text += "[states]\n";
+            for i in 0..self.a.nrows() {
+                let key = if self.discrete { "next" } else { "derivative" };
+                let (states, inputs) =
+                    (self.a.row(i).iter().copied().collect(), self.b.row(i).iter().copied().collect());
+                let _ = writeln!(
+                    text,
+                    "x{} = {{ {key} = '0 + {} + {}' }}",
+                    i + 1,
+                    or_zero(sum(states, "x")),
+                    or_zero(sum(inputs, "u"))
+                );
+            }
+        } else {
             let time = if self.discrete { "discrete" } else { "continuous" };
             let _ = writeln!(text, "[plant]\ntime = '{time}'\nA = [{}]\nC = [{}]", rows(&self.a), rows(&self.c));
             if !self.holds.is_empty() {
                 let _ = writeln!(text, "B = [{}]", rows(&self.b));
-            }
-        } else {
-            text += "[states]\n";
-            for i in 0..self.a.nrows() {
-                let key = if self.discrete { "next" } else { "derivative" };
-                let (states, inputs) = (self.a.row(i).iter().copied().collect(), self.b.row(i).iter().copied().collect());
-                let _ = writeln!(text, "x{} = {{ {key} = '0 + {} + {}' }}", i + 1, or_zero(sum(states, "x")), or_zero(sum(inputs, "u")));
             }
         }
         if !self.holds.is_empty() {
             text += "[inputs]\n";
         }
         for (i, hold) in self.holds.iter().enumerate() {
-            let _ = writeln!(text, "u{} = {{ hold = '{}' }}", i + 1, if *hold == Hold::Zero { "zero" } else { "first" });
+            let _ =
+                writeln!(text, "u{} = {{ hold = '{}' }}", i + 1, if *hold == Hold::Zero { "zero" } else { "first" });
         }
         text += "[outputs]\n";
         for (o, delay) in self.delays.iter().enumerate() {
-            let value = if self.equations { format!("value = '{}'", sum(self.c.row(o).iter().copied().collect(), "x")) } else { String::new() };
+            let value = if self.equations {
+                format!("value = '{}'", sum(self.c.row(o).iter().copied().collect(), "x"))
+            } else {
+                String::new()
+            };
             let late = if *delay > 0 { format!("delay = {}", *delay as f64 * self.h) } else { String::new() };
             let entries: Vec<String> = [value, late].into_iter().filter(|s| !s.is_empty()).collect();
             let _ = writeln!(text, "y{} = {{ {} }}", o + 1, entries.join(", "));
         }
-        let _ = writeln!(text, "[observer.window]\nwindow = {}\n[target]\nsample_time = {}\nscalar = 'f64'", self.steps as f64 * self.h, self.h);
+        let weights = if self.minimax { "minimax" } else { "equal" };
+        let _ = writeln!(
+            text,
+            "[observer.window]\nwindow = {}\nweights = '{weights}'\n[target]\nsample_time = {}\nscalar = 'f64'",
+            self.steps as f64 * self.h,
+            self.h
+        );
         text
     }
 
@@ -122,14 +150,16 @@ impl Linear {
         let mut random = Random::new(seed);
         let (phi, held, rise) = self.sampled();
         let mut x = DVector::from_fn(n, |_, _| random.within(-1.0, 1.0));
-        let knots: Vec<DVector<f64>> = (0..=calls).map(|_| DVector::from_fn(m, |_, _| random.within(-1.0, 1.0))).collect();
+        let knots: Vec<DVector<f64>> =
+            (0..=calls).map(|_| DVector::from_fn(m, |_, _| random.within(-1.0, 1.0))).collect();
         let mut run = Run::default();
         let mut largest = DVector::zeros(n);
         for call in 0..calls {
             if call > 0 {
                 let (from, to) = (&knots[call - 1], &knots[call]);
                 // A discrete plant uses the value at the beginning of its step, whatever the hold.
-                let rises = DVector::from_fn(m, |i, _| if self.holds[i] == Hold::First { to[i] - from[i] } else { 0.0 });
+                let rises =
+                    DVector::from_fn(m, |i, _| if self.holds[i] == Hold::First { to[i] - from[i] } else { 0.0 });
                 x = &phi * &x + &held * from + &rise * rises;
             }
             largest = DVector::from_fn(n, |i, _| f64::max(largest[i], x[i].abs()));
@@ -150,7 +180,9 @@ impl Linear {
         let (norm, roundings) = (phi.abs().max().max(1.0), (n + 2 * m + 2) as f64);
         let exponential = if self.discrete { 0.0 } else { 32.0 * norm };
         let total = largest.sum() + 2.0 * held.abs().max().max(rise.abs().max()) * m as f64;
-        let through = phi.abs() * &largest + held.abs() * DVector::from_element(m, 1.0) + rise.abs() * DVector::from_element(m, 2.0);
+        let through = phi.abs() * &largest
+            + held.abs() * DVector::from_element(m, 1.0)
+            + rise.abs() * DVector::from_element(m, 2.0);
         let step = through.iter().map(|t| roundings * t + exponential * total).collect();
         (run, step)
     }
@@ -184,7 +216,14 @@ fn every_observable_linear_plant_is_estimated_exactly() {
     let (refused, digits, worst) = (Cell::new(0), Cell::new([0; 4]), Cell::new(0.0_f64));
     let config = Config { cases: PLANTS, failure_persistence: None, ..Config::default() };
     let random = TestRng::deterministic_rng(RngAlgorithm::ChaCha);
-    let shapes = (1_usize..=6, 1_usize..=3, 0_usize..=2, (proptest::bool::ANY, proptest::bool::ANY), 0_usize..=12, 0_u64..1 << 40);
+    let shapes = (
+        1_usize..=6,
+        1_usize..=3,
+        0_usize..=2,
+        (proptest::bool::ANY, proptest::bool::ANY),
+        0_usize..=12,
+        0_u64..1 << 40,
+    );
     let outcome = TestRunner::new_with_rng(config, random).run(&shapes, |shape| {
         let linear = Linear::new(shape);
         let text = linear.text();
@@ -211,7 +250,10 @@ fn every_observable_linear_plant_is_estimated_exactly() {
     });
     outcome.unwrap_or_else(|why| panic!("{why}"));
     let ([a, b, c, d], refused) = (digits.get(), refused.get());
-    println!("{refused} of {PLANTS} refused; states with a bound below 1e-12: {a}, 1e-9: {b}, 1e-6: {c}, above: {d}; largest error / bound {:.2e}", worst.get());
+    println!(
+        "{refused} of {PLANTS} refused; states with a bound below 1e-12: {a}, 1e-9: {b}, 1e-6: {c}, above: {d}; largest error / bound {:.2e}",
+        worst.get()
+    );
     assert!(refused * 10 <= PLANTS, "{refused} of {PLANTS} refused");
     assert!(d * 20 <= a + b + c + d, "the bound says nothing for {d} states");
 }
@@ -242,7 +284,11 @@ fn the_transition_is_that_of_another_exponential() {
         let phi = linear.sampled().0;
         for (i, row) in matrix(&generated, "Phi").iter().enumerate() {
             for (j, entry) in row.iter().enumerate() {
-                assert!((entry - phi[(i, j)]).abs() <= 64.0 * UNIT * phi.abs().max(), "seed {seed}: {entry} against {}", phi[(i, j)]);
+                assert!(
+                    (entry - phi[(i, j)]).abs() <= 64.0 * UNIT * phi.abs().max(),
+                    "seed {seed}: {entry} against {}",
+                    phi[(i, j)]
+                );
             }
         }
     }

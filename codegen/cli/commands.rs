@@ -49,7 +49,8 @@ pub fn check(specs: &[PathBuf], common: &Common) -> Result<End, Failure> {
         reports.push(read_spec(path, common.settings())?.check());
     }
     if common.json() {
-        let all: Vec<Value> = reports.iter().flat_map(|r| r.to_json().as_array().cloned().unwrap_or_default()).collect();
+        let all: Vec<Value> =
+            reports.iter().flat_map(|r| r.to_json().as_array().cloned().unwrap_or_default()).collect();
         print(&format!("{:#}\n", Value::Array(all)));
     } else {
         reports.iter().for_each(show);
@@ -79,7 +80,9 @@ pub fn generate(specs: &[PathBuf], target: &Target, common: &Common) -> Result<E
     let mut written = Vec::new();
     for (_, output) in all {
         let paths = output.only(&target.languages()).write_to(&target.out);
-        written.extend(paths.map_err(|error| Failure::Wrong(format!("cannot write into {}: {error}", target.out.display())))?);
+        written.extend(
+            paths.map_err(|error| Failure::Wrong(format!("cannot write into {}: {error}", target.out.display())))?,
+        );
     }
     let names: Vec<String> = written.iter().map(|path| path.display().to_string()).collect();
     print(&if common.json() {
@@ -116,7 +119,8 @@ fn difference_text(difference: &Difference) -> String {
         Difference::Stale { path, found, wanted } => {
             let path = path.display();
             let diff = TextDiff::from_lines(found, wanted);
-            let unified = diff.unified_diff().header(&format!("{path} (on disk)"), &format!("{path} (generated)")).to_string();
+            let unified =
+                diff.unified_diff().header(&format!("{path} (on disk)"), &format!("{path} (generated)")).to_string();
             format!("stale: {path}\n{unified}")
         }
     }
@@ -174,8 +178,11 @@ fn page(method: &Method) -> String {
 }
 
 fn method_json(method: &Method) -> Value {
-    let keys: Vec<Value> =
-        method.keys.iter().map(|(key, kind, meaning)| json!({ "key": key, "value": kind, "meaning": meaning })).collect();
+    let keys: Vec<Value> = method
+        .keys
+        .iter()
+        .map(|(key, kind, meaning)| json!({ "key": key, "value": kind, "meaning": meaning }))
+        .collect();
     let realizations: Vec<&str> = method.realizations.iter().map(|(name, _)| *name).collect();
     json!({ "name": method.name, "summary": method.summary, "source": method.source, "keys": keys, "realizations": realizations })
 }

@@ -70,7 +70,9 @@ pub fn text(generated: &Generated) -> String {
     let mut text = format!("{}\n", header.title);
     // The header without its provenance and its contract.
     let body = header.lines.iter().skip_while(|line| !line.is_empty()).skip(1).take_while(|line| *line != "Contract:");
-    body.for_each(|line| text += &format!("{line}\n"));
+    for line in body {
+        let _ = writeln!(text, "{line}");
+    }
     let numerics = &design.numerics;
     let _ = writeln!(text, "Realization  {}", design.realization);
     let _ = writeln!(

@@ -108,8 +108,11 @@ pub fn run(options: &Options) -> Result<End, Failure> {
         estimate.finish()?;
     }
     let compared = columns.compared();
-    let report =
-        if options.common.json() { json_report(plant, &replay, &compared) } else { text_report(&generated, &replay, &compared) };
+    let report = if options.common.json() {
+        json_report(plant, &replay, &compared)
+    } else {
+        text_report(&generated, &replay, &compared)
+    };
     // A file on standard output stays free of everything else.
     if written().any(|path| is_standard(path)) {
         eprint!("{report}");
@@ -145,11 +148,17 @@ impl Columns {
             let found = options.map.iter().find(|(from, _)| from == name);
             found.map_or_else(|| name.to_owned(), |(_, column)| column.clone())
         };
-        let known = |name: &str| plant.outputs.iter().map(|o| &o.label).chain(plant.inputs.iter().map(|i| &i.label)).any(|l| l.name == name);
+        let known = |name: &str| {
+            plant.outputs.iter().map(|o| &o.label).chain(plant.inputs.iter().map(|i| &i.label)).any(|l| l.name == name)
+        };
         if let Some((name, _)) = options.map.iter().find(|(name, _)| !known(name)) {
-            return Err(Failure::Misused(format!("--map: `{name}` is neither an output nor an input of the specification")));
+            return Err(Failure::Misused(format!(
+                "--map: `{name}` is neither an output nor an input of the specification"
+            )));
         }
-        if let Some((name, _)) = options.reference.iter().find(|(name, _)| plant.states.iter().all(|s| s.label.name != *name)) {
+        if let Some((name, _)) =
+            options.reference.iter().find(|(name, _)| plant.states.iter().all(|s| s.label.name != *name))
+        {
             return Err(Failure::Misused(format!("--reference: `{name}` is not a state of the specification")));
         }
         let timed = there.iter().any(|column| column == "t");
@@ -279,7 +288,6 @@ impl Progress {
             self.shown = Some(Instant::now());
         }
     }
-
 }
 
 impl Drop for Progress {
@@ -293,10 +301,12 @@ impl Drop for Progress {
 
 fn json_report(plant: &Plant, replay: &Replay, compared: &[bool]) -> String {
     let mut errors = Map::new();
-    for ((state, error), _) in plant.states.iter().zip(&replay.errors).zip(compared).filter(|(_, compared)| **compared) {
+    for ((state, error), _) in plant.states.iter().zip(&replay.errors).zip(compared).filter(|(_, compared)| **compared)
+    {
         errors.insert(state.label.name.clone(), json!({ "rms": error.rms(), "max": error.max }));
     }
-    let report = json!({ "rows": replay.rows, "converged_rows": replay.converged_rows, "errors": Value::Object(errors) });
+    let report =
+        json!({ "rows": replay.rows, "converged_rows": replay.converged_rows, "errors": Value::Object(errors) });
     format!("{report:#}\n")
 }
 
@@ -311,16 +321,19 @@ fn text_report(generated: &Generated, replay: &Replay, compared: &[bool]) -> Str
         generated.design.valid_from_step + 1
     );
     if replay.left_out > 0 {
-        let _ = writeln!(text, "{} samples that the recording's time leaves out were treated as missing", replay.left_out);
+        let _ =
+            writeln!(text, "{} samples that the recording's time leaves out were treated as missing", replay.left_out);
     }
     if !compared.contains(&true) {
         text += "no column is named like a state, and no --reference was given: nothing to compare\n";
         return text;
     }
     let _ = writeln!(text, "\n{:<16} {:>12} {:>12} {:>10}  unit", "error of", "RMS", "maximum", "rows");
-    for ((state, errors), _) in plant.states.iter().zip(&replay.errors).zip(compared).filter(|(_, compared)| **compared) {
+    for ((state, errors), _) in plant.states.iter().zip(&replay.errors).zip(compared).filter(|(_, compared)| **compared)
+    {
         let (rms, max) = (short(errors.rms()), short(errors.max));
-        let _ = writeln!(text, "{:<16} {rms:>12} {max:>12} {:>10}  {}", state.label.name, errors.rows, state.label.unit);
+        let _ =
+            writeln!(text, "{:<16} {rms:>12} {max:>12} {:>10}  {}", state.label.name, errors.rows, state.label.unit);
     }
     text
 }

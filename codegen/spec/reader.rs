@@ -23,7 +23,7 @@ pub type Found = RefCell<Vec<Diagnostic>>;
 pub struct Table<'a> {
     /// For messages: `[target]`, or `[outputs] y`.
     what: String,
-    table: &'a DeTable<'a>,
+    entries: &'a DeTable<'a>,
     span: Range<usize>,
     text: &'a str,
     asked: BTreeSet<String>,
@@ -32,8 +32,8 @@ pub struct Table<'a> {
 
 impl<'a> Table<'a> {
     /// Starts reading.
-    pub fn new(what: String, table: &'a DeTable<'a>, span: Range<usize>, text: &'a str, found: &'a Found) -> Self {
-        Self { what, table, span, text, asked: BTreeSet::new(), found }
+    pub fn new(what: String, entries: &'a DeTable<'a>, span: Range<usize>, text: &'a str, found: &'a Found) -> Self {
+        Self { what, entries, span, text, asked: BTreeSet::new(), found }
     }
 
     /// The same table under another name in messages.
@@ -54,12 +54,12 @@ impl<'a> Table<'a> {
 
     /// Whether a key is there, without reading it.
     pub fn has(&self, key: &str) -> bool {
-        self.table.get(key).is_some()
+        self.entries.get(key).is_some()
     }
 
     /// The place of a key, or of the table.
     pub fn key_span(&self, key: &str) -> Range<usize> {
-        self.table.get_key_value(key).map_or_else(|| self.span(), |(key, _)| key.span())
+        self.entries.get_key_value(key).map_or_else(|| self.span(), |(key, _)| key.span())
     }
 
     /// Pushes a mistake.
@@ -69,7 +69,7 @@ impl<'a> Table<'a> {
 
     fn ask(&mut self, key: &str) -> Option<&'a Spanned<DeValue<'a>>> {
         self.asked.insert(key.to_owned());
-        self.table.get(key)
+        self.entries.get(key)
     }
 
     fn wrong_type(&self, value: &Spanned<DeValue<'a>>, key: &str, wanted: &str) {
@@ -202,7 +202,7 @@ impl<'a> Table<'a> {
     /// The entries in the order of the file.
     pub fn entries(&mut self) -> Vec<(Text, &'a Spanned<DeValue<'a>>)> {
         let mut entries: Vec<_> = self
-            .table
+            .entries
             .iter()
             .map(|(key, value)| {
                 let name = Text { value: key.get_ref().to_string(), span: key.span(), inner: None };
@@ -236,7 +236,7 @@ impl<'a> Table<'a> {
 
     /// Reports every key that nobody asked for.
     pub fn finish(self) {
-        for (key, _) in self.table {
+        for (key, _) in self.entries {
             if self.asked.contains(key.get_ref().as_ref()) {
                 continue;
             }

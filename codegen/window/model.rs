@@ -6,7 +6,7 @@
 
 use crate::diagnostic::{Diagnostic, codes};
 use crate::expr::Constant;
-use crate::plant::split::{Change, change};
+use crate::plant::combine::{Change, change};
 use crate::plant::{Hold, Plant};
 use crate::real::{Matrix, Precision, Real, first_order_hold, zero_order_hold};
 

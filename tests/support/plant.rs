@@ -3,6 +3,12 @@
 //! most that rounding can do to an estimate.
 
 #![allow(dead_code, reason = "each test uses a part of it")]
+#![allow(
+    clippy::cast_precision_loss,
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "counts of calls and samples are small"
+)]
 
 use deadbeat_codegen::design::Shape;
 use deadbeat_codegen::program::Scalar;
@@ -67,7 +73,9 @@ pub fn corpus(name: &str) -> String {
 
 /// A specification at another sample time.
 pub fn at_sample_time(text: &str, sample_time: f64) -> String {
-    let replace = |line: &str| if line.starts_with("sample_time") { format!("sample_time = {sample_time}") } else { line.to_owned() };
+    let replace = |line: &str| {
+        if line.starts_with("sample_time") { format!("sample_time = {sample_time}") } else { line.to_owned() }
+    };
     text.lines().map(replace).collect::<Vec<_>>().join("\n")
 }
 
@@ -126,6 +134,9 @@ pub enum Hold {
 /// x' or x+ as a function of t, x, u.
 pub type Change = Box<dyn Fn(f64, &[f64], &[f64]) -> Vec<f64>>;
 
+/// y as a function of x.
+pub type Show = Box<dyn Fn(&[f64]) -> Vec<f64>>;
+
 /// A plant as a person would write it down.
 pub struct Truth {
     /// Discrete: `change` gives the next state.
@@ -133,7 +144,7 @@ pub struct Truth {
     /// The right-hand side.
     pub change: Change,
     /// y of x.
-    pub outputs: Box<dyn Fn(&[f64]) -> Vec<f64>>,
+    pub outputs: Show,
     /// s, per output.
     pub delays: Vec<f64>,
     /// Per input.
@@ -200,7 +211,13 @@ impl Truth {
             });
             run.inputs.push(applied.collect());
             run.states.push(x.clone());
-            let outputs: Vec<Vec<f64>> = run.states.iter().rev().take(1 + delays.iter().max().unwrap_or(&0)).map(|x| (self.outputs)(x)).collect();
+            let outputs: Vec<Vec<f64>> = run
+                .states
+                .iter()
+                .rev()
+                .take(1 + delays.iter().max().unwrap_or(&0))
+                .map(|x| (self.outputs)(x))
+                .collect();
             let sample = |o: usize| outputs.get(delays[o]).map_or(NOTHING_YET, |y| y[o]);
             run.measurements.push((0..delays.len()).map(sample).collect());
         }
@@ -288,7 +305,8 @@ pub fn accumulated(generated: &Generated) -> Vec<Vec<Vec<f64>>> {
             }
         }
         all.push(acc.clone());
-        acc = acc.iter().map(|row| (0..n).map(|j| row.iter().zip(phi).map(|(a, p)| a * p[j]).sum()).collect()).collect();
+        acc =
+            acc.iter().map(|row| (0..n).map(|j| row.iter().zip(phi).map(|(a, p)| a * p[j]).sum()).collect()).collect();
     }
     all
 }
@@ -317,7 +335,8 @@ pub fn rounding(generated: &Generated, run: &Run, step: &[f64], injections: &[f6
     (0..sizes.len())
         .map(|i| {
             let measured: f64 = functional.outputs.iter().zip(&outputs).map(|(w, y)| w.l1(i) * y).sum();
-            let known: f64 = functional.knowns.iter().zip(&functional.signals).map(|(w, s)| w.l1(i) * signal(s.source)).sum();
+            let known: f64 =
+                functional.knowns.iter().zip(&functional.signals).map(|(w, s)| w.l1(i) * signal(s.source)).sum();
             UNIT * ((functional.steps + 6) as f64 * (measured + known + sizes[i]) + through[i])
         })
         .collect()
@@ -332,7 +351,11 @@ pub fn integration_rounding(generated: &Generated, run: &Run) -> Vec<f64> {
         run.states.windows(2).map(|pair| pair[1].iter().zip(&pair[0]).map(|(b, a)| b - a).collect()).collect();
     let jumps = largest(jumps.iter());
     let through = |row: &Vec<f64>| row.iter().zip(&sizes).map(|(p, x)| p.abs() * x).sum::<f64>();
-    phi.iter().zip(&sizes).zip(&jumps).map(|((row, size), jump)| 4.0 * size + 32.0 * (through(row) - row_own(row, &sizes, *size) + jump)).collect()
+    phi.iter()
+        .zip(&sizes)
+        .zip(&jumps)
+        .map(|((row, size), jump)| 4.0 * size + 32.0 * (through(row) - row_own(row, &sizes, *size) + jump))
+        .collect()
 }
 
 /// At most the state's own share of a row of Phi.

@@ -19,7 +19,7 @@ pub fn random_program(seed: u64) -> Program {
         rings: vec![],
         tables: vec![],
         columns: None,
-        calls: seed % CALLING == 0,
+        calls: seed.is_multiple_of(CALLING),
     };
     writer.declare();
     for part in 0..writer.random.between(1, 3) {
@@ -181,10 +181,9 @@ impl Writer {
     fn statements(&mut self, count: u32) {
         for _ in 0..count {
             match self.random.between(0, 19) {
-                0..=7 => self.arithmetic(),
-                8 | 9 => self.float(),
                 10 if self.calls => self.call(),
-                10 => self.arithmetic(),
+                0..=7 | 10 => self.arithmetic(),
+                8 | 9 => self.float(),
                 11 | 12 => self.truth(),
                 13 | 14 => self.index(),
                 15 | 16 => self.slot(),

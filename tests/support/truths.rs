@@ -1,5 +1,8 @@
 //! The corpus as a person would write it down: one right-hand side per specification, by hand.
 
+#![allow(dead_code, reason = "each test uses a part of it")]
+#![allow(clippy::cast_precision_loss, reason = "entries of a matrix are small")]
+
 use std::f64::consts::PI;
 
 use super::plant::{Hold, Truth, corpus};
@@ -138,7 +141,7 @@ fn number(value: &toml::Value) -> f64 {
 fn pendulum() -> Truth {
     Truth {
         discrete: false,
-        change: Box::new(|_, x, _| vec![x[1], 64.2189 * x[0].sin() - 0.067227 * x[1]]),
+        change: Box::new(|_, x, _| vec![x[1], 64.2189 * x[0].sin() - 0.067_227 * x[1]]),
         outputs: Box::new(|x| vec![x[0]]),
         delays: vec![0.0],
         holds: vec![],

@@ -49,7 +49,8 @@ fn expand(arguments: &str) -> Result<String, String> {
 
 /// `"path"`, then settings as TOML, one behind each comma.
 fn read_arguments(arguments: &str) -> Result<(String, Settings), String> {
-    let usage = || "write observer!(\"path/to/spec.toml\") or observer!(\"path/to/spec.toml\", scalar = \"f64\")".to_owned();
+    let usage =
+        || "write observer!(\"path/to/spec.toml\") or observer!(\"path/to/spec.toml\", scalar = \"f64\")".to_owned();
     let parts = |input: ParseStream| {
         let path: syn::LitStr = input.parse()?;
         let comma: Option<syn::Token![,]> = input.parse()?;

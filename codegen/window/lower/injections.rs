@@ -84,7 +84,9 @@ fn constants(node: &Node, visit: &mut dyn FnMut(&Constant)) {
         NodeKind::Product(factors) => {
             let (scale, varying) = scale_of(factors);
             visit(&scale);
-            varying.iter().for_each(|(_, factor)| constants(factor, visit));
+            for (_, factor) in varying {
+                constants(factor, visit);
+            }
         }
         NodeKind::Power(base, _) => constants(base, visit),
         NodeKind::Call(_, arguments) => arguments.iter().for_each(|a| constants(a, visit)),

@@ -143,7 +143,11 @@ pub fn together_in_cpp(subjects: &[Subject]) -> String {
                  && !std::is_empty<{name}_{kind}>::value, \"plain data\");"
             );
         }
-        let inputs = if subject.generated.program.inputs.is_empty() { String::new() } else { format!("const {name}_inputs *, ") };
+        let inputs = if subject.generated.program.inputs.is_empty() {
+            String::new()
+        } else {
+            format!("const {name}_inputs *, ")
+        };
         let _ = writeln!(
             text,
             "static_assert(std::is_same<decltype(&{name}_step), void (*)({name}_state *, const {name}_measurements *, \
@@ -158,7 +162,11 @@ pub fn together_in_cpp(subjects: &[Subject]) -> String {
 fn c_run(subject: &Subject) -> String {
     let (name, program) = (&subject.name, &subject.generated.program);
     let has_inputs = !program.inputs.is_empty();
-    let declared = if has_inputs { format!("    {name}_inputs inputs;\n    const {name}_inputs *applied = &inputs;\n") } else { String::new() };
+    let declared = if has_inputs {
+        format!("    {name}_inputs inputs;\n    const {name}_inputs *applied = &inputs;\n")
+    } else {
+        String::new()
+    };
     let passed = if has_inputs { "applied, " } else { "" };
     let fill = c_fill(subject, "number(&run->seed, CENTRE, AMPLITUDE)");
     let hashed = estimates(subject, |name| format!("    mix(&run->hash, &estimate.{name}, sizeof estimate.{name});\n"));
@@ -202,7 +210,9 @@ fn c_fill(subject: &Subject, number: &str) -> String {
         Scalar::F64 => "double",
     };
     let fill = |of: &str, field: &Field, span: Span| {
-        let number = number.replace("CENTRE", &format!("{:?}", span.centre)).replace("AMPLITUDE", &format!("{:?}", span.amplitude));
+        let number = number
+            .replace("CENTRE", &format!("{:?}", span.centre))
+            .replace("AMPLITUDE", &format!("{:?}", span.amplitude));
         format!("    {of}.{} = ({scalar}){number};\n", field.name)
     };
     each(subject, fill)
@@ -211,7 +221,8 @@ fn c_fill(subject: &Subject, number: &str) -> String {
 /// A line for each measurement, then for each input.
 fn each(subject: &Subject, line: impl Fn(&str, &Field, Span) -> String) -> String {
     let program = &subject.generated.program;
-    let measured = program.measurements.iter().zip(subject.measured()).map(|(field, span)| line("measurements", field, span));
+    let measured =
+        program.measurements.iter().zip(subject.measured()).map(|(field, span)| line("measurements", field, span));
     let applied = program.inputs.iter().zip(subject.applied()).map(|(field, span)| line("inputs", field, span));
     measured.chain(applied).collect()
 }
@@ -311,7 +322,11 @@ fn run<O: Observer + Default + Copy>(
                 format!("{}: number(seed, {:?}, {:?}){narrowed}, ", field.name, span.centre, span.amplitude)
             })
         };
-        let inputs = if program.inputs.is_empty() { "()".to_owned() } else { format!("contract::{name}::Inputs {{ {}}}", fill("inputs")) };
+        let inputs = if program.inputs.is_empty() {
+            "()".to_owned()
+        } else {
+            format!("contract::{name}::Inputs {{ {}}}", fill("inputs"))
+        };
         let hashed = estimates(subject, |name| format!("mix(hash, &estimate.{name}.to_ne_bytes()); "));
         let _ = writeln!(
             text,
@@ -326,8 +341,9 @@ fn run<O: Observer + Default + Copy>(
 /// A C program that feeds every observer bits of every kind, then nothing to the unstable ones, and
 /// looks at estimate and state after each call. Arguments: steps of each.
 pub fn abuse(subjects: &[Subject], unstable: &[&str], phase: usize) -> String {
-    let mut text =
-        String::from("#include <float.h>\n#include <math.h>\n#include <stdint.h>\n#include <stdio.h>\n#include <stdlib.h>\n#include <string.h>\n\n");
+    let mut text = String::from(
+        "#include <float.h>\n#include <math.h>\n#include <stdint.h>\n#include <stdio.h>\n#include <stdlib.h>\n#include <string.h>\n\n",
+    );
     text += &includes(subjects);
     text = text + "\n" + C_HEAD;
     for scalar in ["float", "double"] {
@@ -370,11 +386,21 @@ static {scalar} any_{scalar}(uint64_t *seed, long step, double centre, double am
 fn c_abuse(subject: &Subject) -> String {
     let (name, program) = (&subject.name, &subject.generated.program);
     let scalar = if subject.scalar() == Scalar::F32 { "float" } else { "double" };
-    let (declared, passed) = if program.inputs.is_empty() { (String::new(), "") } else { (format!("    {name}_inputs inputs;\n"), "&inputs, ") };
+    let (declared, passed) = if program.inputs.is_empty() {
+        (String::new(), "")
+    } else {
+        (format!("    {name}_inputs inputs;\n"), "&inputs, ")
+    };
     let fill = each(subject, |of, field, span| {
-        let line = |step: &str| format!("{of}.{} = any_{scalar}(&seed, {step}, {:?}, {:?});\n", field.name, span.centre, span.amplitude);
+        let line = |step: &str| {
+            format!("{of}.{} = any_{scalar}(&seed, {step}, {:?}, {:?});\n", field.name, span.centre, span.amplitude)
+        };
         if of == "measurements" {
-            format!("        {}        if (gone && step > 512) {{ {of}.{} = ({scalar})NAN; }}\n", line("gone ? 0 : step"), field.name)
+            format!(
+                "        {}        if (gone && step > 512) {{ {of}.{} = ({scalar})NAN; }}\n",
+                line("gone ? 0 : step"),
+                field.name
+            )
         } else {
             format!("        {}", line("gone ? 0 : step"))
         }

@@ -1,0 +1,363 @@
+//! Reads a specification table by table; every mistake is pushed, none stops the reading.
+
+use std::ops::Range;
+
+use dashu_ratio::RBig;
+use toml::de::{DeTable, DeValue};
+
+use super::identifiers::{check_identifier, check_name, check_names};
+use super::reader::{Found, Table};
+use super::{Disturbance, Hold, Input, Matrices, Named, Observer, Output, Parameter, Quantity, Settings, Spec, State, Text};
+use crate::diagnostic::{Diagnostic, Source, codes};
+use crate::expr::nearest;
+use crate::method;
+use crate::program::Scalar;
+
+/// Reads a specification; `None` when a part that everything else needs is missing or wrong.
+pub(super) fn read(source: &Source, settings: Settings, found: &Found) -> Option<Spec> {
+    let (document, errors) = DeTable::parse_recoverable(&source.text);
+    let mut in_order: Vec<_> = errors.iter().map(|error| (error.span().unwrap_or(0..0), error)).collect();
+    in_order.sort_by_key(|(span, _)| span.start);
+    for (span, error) in in_order {
+        let message = error.message().replace('\n', ", ");
+        let (help, ends) = syntax_help(&message);
+        found.borrow_mut().push(Diagnostic::error(codes::SYNTAX, span, message).help(help));
+        if ends {
+            break;
+        }
+    }
+    if !errors.is_empty() {
+        return None;
+    }
+    let mut top = Table::new("the specification".into(), document.get_ref(), 0..0, &source.text, found);
+    read_version(&mut top);
+    let name = read_name(&mut top);
+    let title = line(&mut top, "title");
+    let origin = line(&mut top, "source");
+    let parameters = read_parameters(&mut top);
+    let matrices = read_matrices(&mut top);
+    let (states, next) = read_states(&mut top, matrices.as_ref());
+    let inputs = read_inputs(&mut top);
+    let outputs = read_outputs(&mut top, matrices.is_some());
+    let unknowns = read_unknowns(&mut top);
+    let disturbances = read_disturbances(&mut top);
+    let observer = read_observer(&mut top);
+    let target = read_target(&mut top);
+    top.finish();
+    let (sample_time, scalar) = target?;
+    let spec = Spec {
+        source: source.clone(),
+        name: name?,
+        title,
+        origin,
+        parameters,
+        states,
+        discrete: next || matrices.as_ref().is_some_and(|m| m.discrete),
+        inputs,
+        outputs,
+        unknowns,
+        disturbances,
+        matrices,
+        observer: observer?,
+        sample_time,
+        scalar: settings.scalar.unwrap_or(scalar),
+    };
+    check_names(&spec, found);
+    Some(spec)
+}
+
+/// What to do about a message of the TOML reader; and whether what it says of the rest of the file
+/// follows from this one mistake.
+fn syntax_help(message: &str) -> (&'static str, bool) {
+    let has = |words: &[&str]| words.iter().any(|word| message.contains(word));
+    if has(&["duplicate key"]) {
+        ("remove or rename one of them", false)
+    } else if has(&["must be quoted"]) {
+        ("write numbers without a unit, and text in quotes", false)
+    } else if has(&["literal string", "basic string"]) {
+        ("begin and end it with the same quote on one line", true)
+    } else {
+        ("check the quotes, brackets and commas here and on the line before", true)
+    }
+}
+
+fn read_version(top: &mut Table) {
+    match top.whole("deadbeat") {
+        Some((version, _)) if version == RBig::ONE => {}
+        Some((version, span)) => {
+            let message = format!("format version {version} is not known");
+            top.report(Diagnostic::error(codes::BAD_CHOICE, span, message).help("this tool reads `deadbeat = 1`"));
+        }
+        None if top.has("deadbeat") => {}
+        None => top.missing("deadbeat", "write `deadbeat = 1`, the format's version, in the first line"),
+    }
+}
+
+fn read_name(top: &mut Table) -> Option<Text> {
+    let name = top.text("name");
+    match &name {
+        Some(name) => check_name(top, name, "name"),
+        None if top.has("name") => {}
+        None => top.missing("name", "write `name = \"my_observer\"`: it prefixes every generated symbol and file"),
+    }
+    name
+}
+
+/// An optional line of text; line breaks would leave the comment that it is printed in.
+fn line(table: &mut Table, key: &str) -> String {
+    table.text(key).map(|text| printable(&text.value)).unwrap_or_default()
+}
+
+/// Text that can stand in a comment of either language.
+fn printable(text: &str) -> String {
+    let plain: String = text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+    plain.replace("*/", "* /").replace("/*", "/ *").trim().trim_end_matches('\\').to_owned()
+}
+
+fn read_named(name: Text, table: &mut Table) -> Named {
+    Named { unit: line(table, "unit"), doc: line(table, "doc"), name }
+}
+
+fn read_parameters(top: &mut Table) -> Vec<Parameter> {
+    let Some(mut table) = top.table("parameters", "[parameters]") else { return Vec::new() };
+    let mut parameters = Vec::new();
+    for (name, value) in table.entries() {
+        check_identifier(&table, &name);
+        let parameter = if matches!(value.get_ref(), DeValue::Table(_)) {
+            let Some(mut entry) = table.entry_table(&name, value) else { continue };
+            let number = entry.quantity("value");
+            if number.is_none() && !entry.has("value") {
+                entry.missing("value", "write `value = …`");
+            }
+            let named = read_named(name, &mut entry);
+            entry.finish();
+            number.map(|value| Parameter { named, value })
+        } else {
+            let named = Named { unit: String::new(), doc: String::new(), name: name.clone() };
+            table.entry_quantity(&name, value).map(|value| Parameter { named, value })
+        };
+        parameters.extend(parameter);
+    }
+    parameters
+}
+
+fn read_matrices(top: &mut Table) -> Option<Matrices> {
+    let mut table = top.table("plant", "[plant]")?;
+    let discrete = table.choice("time", &[("continuous", false), ("discrete", true)], false);
+    let matrices =
+        Matrices { a: table.matrix("A"), b: table.matrix("B"), c: table.matrix("C"), discrete, span: table.span() };
+    for key in ["A", "C"] {
+        if !table.has(key) {
+            table.missing(key, "write it as a list of rows, such as `[[0, 1], [0, 0]]`");
+        }
+    }
+    table.finish();
+    Some(matrices)
+}
+
+/// The states, and whether they are given by `next`.
+fn read_states(top: &mut Table, matrices: Option<&Matrices>) -> (Vec<State>, bool) {
+    let Some(mut table) = top.table("states", "[states]") else {
+        if matrices.is_none() && !top.has("states") {
+            top.missing("states", "write `[states]` with one line per state, or `[plant]` with A, B and C");
+        }
+        return (Vec::new(), false);
+    };
+    let mut states = Vec::new();
+    let mut kinds: [Option<Range<usize>>; 2] = [None, None];
+    for (name, value) in table.entries() {
+        check_name(&table, &name, "state");
+        let Some(mut entry) = table.entry_table(&name, value) else { continue };
+        let change = read_change(&mut entry, matrices, &mut kinds);
+        let initial = entry.quantity("initial");
+        let named = read_named(name, &mut entry);
+        entry.finish();
+        states.push(State { named, change, initial });
+    }
+    if states.is_empty() && matrices.is_none() {
+        let error = Diagnostic::error(codes::MISSING_KEY, table.span(), "[states] is empty");
+        table.report(error.help("write one line per state: `q = { unit = \"rad\", derivative = '…' }`"));
+    }
+    if let [Some(derivative), Some(next)] = &kinds {
+        let message = "some states have `derivative` and some `next`";
+        let mixed = Diagnostic::error(codes::BAD_COMBINATION, next.clone(), message)
+            .context(derivative.clone(), "continuous time here")
+            .help("a plant is continuous or discrete as a whole");
+        table.report(mixed);
+    }
+    (states, kinds[1].is_some())
+}
+
+/// `derivative` or `next`, exactly one of them; neither in a plant by matrices.
+fn read_change(entry: &mut Table, matrices: Option<&Matrices>, kinds: &mut [Option<Range<usize>>; 2]) -> Option<Text> {
+    let (derivative, next) = (entry.text("derivative"), entry.text("next"));
+    for (kind, text) in kinds.iter_mut().zip([&derivative, &next]) {
+        if let Some(text) = text
+            // Both at once is a mistake of its own.
+            && !(derivative.is_some() && next.is_some())
+        {
+            kind.get_or_insert_with(|| text.span.clone());
+        }
+    }
+    let present = derivative.as_ref().or(next.as_ref());
+    match (present, matrices) {
+        (Some(text), Some(_)) => {
+            let message = "a plant by matrices has no equations";
+            entry.report(
+                Diagnostic::error(codes::BAD_COMBINATION, text.span.clone(), message)
+                    .help("leave out this key, or `[plant]`"),
+            );
+        }
+        (None, None) if !entry.has("derivative") && !entry.has("next") => {
+            entry.missing("derivative", "write `derivative = '…'` (continuous time) or `next = '…'` (discrete time)");
+        }
+        _ => {}
+    }
+    if let (Some(derivative), Some(next)) = (&derivative, &next) {
+        let message = format!("{} has both `derivative` and `next`", entry.what());
+        entry.report(
+            Diagnostic::error(codes::BAD_COMBINATION, next.span.clone(), message)
+                .context(derivative.span.clone(), "the other")
+                .help("a plant is continuous or discrete"),
+        );
+    }
+    derivative.or(next)
+}
+
+fn read_inputs(top: &mut Table) -> Vec<Input> {
+    read_entries(top, "inputs", "[inputs]", "input", |named, entry| {
+        let hold = entry.choice("hold", &[("zero", Hold::Zero), ("first", Hold::First)], Hold::Zero);
+        Input { named, hold }
+    })
+}
+
+fn read_outputs(top: &mut Table, by_matrices: bool) -> Vec<Output> {
+    if !by_matrices && !top.has("outputs") {
+        top.missing("outputs", "write `[outputs]` with one line per measured output: `y = { value = 'q' }`");
+    }
+    let outputs = read_entries(top, "outputs", "[outputs]", "output", |named, entry| {
+        let value = entry.text("value");
+        match (&value, by_matrices) {
+            (Some(text), true) => entry.report(
+                Diagnostic::error(
+                    codes::BAD_COMBINATION,
+                    text.span.clone(),
+                    "a plant by matrices has its outputs in `C`",
+                )
+                .help("leave out this key, or `[plant]`"),
+            ),
+            (None, false) if !entry.has("value") => {
+                entry.missing("value", "write `value = '…'`, linear in the states");
+            }
+            _ => {}
+        }
+        let range = entry.list("range");
+        let output = Output { named, value, noise: entry.quantity("noise"), delay: entry.quantity("delay"), range };
+        if let Some((limits, span)) = &output.range
+            && limits.len() != 2
+        {
+            let message = format!("`range` needs two numbers, {} given", limits.len());
+            entry.report(
+                Diagnostic::error(codes::WRONG_TYPE, span.clone(), message).help("write `range = [lowest, highest]`"),
+            );
+        }
+        output
+    });
+    if outputs.is_empty() && top.has("outputs") && !by_matrices {
+        top.report(
+            Diagnostic::error(codes::MISSING_KEY, top.key_span("outputs"), "no output is measured")
+                .help("write one line per measured output: `y = { value = 'q' }`"),
+        );
+    }
+    outputs
+}
+
+fn read_unknowns(top: &mut Table) -> Vec<Named> {
+    read_entries(top, "unknowns", "[unknowns]", "unknown", |named, _| named)
+}
+
+fn read_disturbances(top: &mut Table) -> Vec<Disturbance> {
+    read_entries(top, "disturbances", "[disturbances]", "disturbance", |named, entry| {
+        let bound = entry.quantity("bound");
+        if bound.is_none() && !entry.has("bound") {
+            entry.missing("bound", "write `bound = …`, the largest magnitude");
+        }
+        Disturbance { named, bound }
+    })
+}
+
+/// The entries of a table of tables, in the order of the file.
+fn read_entries<T>(
+    top: &mut Table,
+    key: &str,
+    what: &str,
+    role: &str,
+    mut read: impl FnMut(Named, &mut Table) -> T,
+) -> Vec<T> {
+    let Some(mut table) = top.table(key, what) else { return Vec::new() };
+    let mut entries = Vec::new();
+    for (name, value) in table.entries() {
+        check_name(&table, &name, role);
+        let Some(mut entry) = table.entry_table(&name, value) else { continue };
+        let named = read_named(name, &mut entry);
+        entries.push(read(named, &mut entry));
+        entry.finish();
+    }
+    entries
+}
+
+fn read_observer(top: &mut Table) -> Option<Observer> {
+    if !top.has("observer") {
+        top.missing("observer", "write `[observer.window]` with `window = …` s, or another method (`deadbeat list`)");
+    }
+    let mut table = top.table("observer", "[observer]")?;
+    let entries = table.entries();
+    let known = || method::METHODS.iter().map(|m| m.name);
+    match entries.as_slice() {
+        [] => {
+            let error = Diagnostic::error(codes::MISSING_KEY, table.span(), "[observer] names no method");
+            table.report(
+                error.help("write `[observer.window]` with `window = …` s, or another method (`deadbeat list`)"),
+            );
+            None
+        }
+        [(name, value)] => {
+            let Some(method) = method::METHODS.iter().find(|m| m.name == name.value) else {
+                let message = format!("there is no observer method `{}`", name.value.escape_debug());
+                let diagnostic = Diagnostic::error(codes::UNKNOWN_METHOD, name.span.clone(), message);
+                table.report(match nearest(&name.value, known()) {
+                    Some(close) => diagnostic.help(format!("did you mean `{close}`?")).patch(name.span.clone(), close),
+                    None => diagnostic.help(format!("the methods are: {}", known().collect::<Vec<_>>().join(", "))),
+                });
+                return None;
+            };
+            let mut keys = table.entry_table(name, value)?.named(format!("[observer.{}]", method.name));
+            let keyed = (method.read)(&mut keys);
+            keys.finish();
+            Some(Observer { method: name.clone(), keyed: keyed? })
+        }
+        [first, second, ..] => {
+            let message = "a specification has one observer";
+            table.report(
+                Diagnostic::error(codes::BAD_COMBINATION, second.0.span.clone(), message)
+                    .context(first.0.span.clone(), "the other")
+                    .help("put the second into a file of its own"),
+            );
+            None
+        }
+    }
+}
+
+fn read_target(top: &mut Table) -> Option<(Quantity, Scalar)> {
+    if !top.has("target") {
+        top.missing("target", "write `[target]` with `sample_time = …` s");
+    }
+    let mut table = top.table("target", "[target]")?;
+    let sample_time = table.quantity("sample_time");
+    if sample_time.is_none() && !table.has("sample_time") {
+        table.missing("sample_time", "write `sample_time = …`, the seconds between two calls");
+    }
+    let scalar = table.choice("scalar", &[("f32", Scalar::F32), ("f64", Scalar::F64)], Scalar::F32);
+    table.finish();
+    Some((sample_time?, scalar))
+}
