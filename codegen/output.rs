@@ -121,7 +121,7 @@ impl Output {
                     wanted: file.text.clone(),
                 }),
                 Err(error) if error.kind() == io::ErrorKind::NotFound => {
-                    differences.push(Difference::Missing(path.clone()))
+                    differences.push(Difference::Missing(path.clone()));
                 }
                 Err(error) => return Err(error),
             }

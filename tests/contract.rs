@@ -471,6 +471,7 @@ fn line_04_float_code_has_no_double() {
     if runs("objdump") && cfg!(target_arch = "x86_64") {
         for object in objects().iter().filter(|it| single(&it.subject)) {
             let code = succeed(Command::new("objdump").args(["-d", "--no-show-raw-insn"]).arg(&object.path));
+            assert!(code.contains("\tmulss") && code.contains("\taddss"), "{}: its sums can be read", object.label());
             for instruction in code.lines().filter_map(|line| line.split('\t').nth(1)) {
                 let name = instruction.split_whitespace().next().unwrap_or("");
                 let double = name.contains("ss2sd") || name.contains("sd2s") || name.contains("sd2si");

@@ -9,6 +9,7 @@ mod corpus;
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
+use std::sync::OnceLock;
 use std::{env, fs};
 
 use corpus::{Entry, corpus, root, side_by_side};
@@ -36,6 +37,23 @@ fn found() -> Vec<PathBuf> {
     folders.flatten().map(|entry| entry.expect("an entry of generated/").path()).collect()
 }
 
+/// What belongs there; with `DEADBEAT_BLESS=1` it is written there, before any test looks.
+fn wanted_and_blessed() -> &'static BTreeMap<PathBuf, String> {
+    static WANTED: OnceLock<BTreeMap<PathBuf, String>> = OnceLock::new();
+    WANTED.get_or_init(|| {
+        let wanted = wanted();
+        if env::var("DEADBEAT_BLESS").is_ok_and(|value| value == "1") {
+            for path in found().into_iter().filter(|path| !wanted.contains_key(path)) {
+                fs::remove_file(path).expect("a left-over file goes");
+            }
+            for (path, text) in &wanted {
+                corpus::put(path, text);
+            }
+        }
+        wanted
+    })
+}
+
 /// What differs first, for a message.
 fn first_difference(found: &str, wanted: &str) -> String {
     let lines = found.lines().zip(wanted.lines()).enumerate();
@@ -46,17 +64,9 @@ fn first_difference(found: &str, wanted: &str) -> String {
 /// Claim: `generated/{rust,c,step}` are what the corpus generates; no file is missing, stale or left over.
 #[test]
 fn generated_files_are_up_to_date() {
-    let wanted = wanted();
-    if env::var("DEADBEAT_BLESS").is_ok_and(|value| value == "1") {
-        for path in found().into_iter().filter(|path| !wanted.contains_key(path)) {
-            fs::remove_file(path).expect("a left-over file goes");
-        }
-        for (path, text) in &wanted {
-            corpus::put(path, text);
-        }
-    }
+    let wanted = wanted_and_blessed();
     let mut wrong = Vec::new();
-    for (path, text) in &wanted {
+    for (path, text) in wanted {
         let name = path.strip_prefix(root()).unwrap_or(path).display();
         match fs::read(path) {
             Ok(found) if found == text.as_bytes() => {}
@@ -74,6 +84,7 @@ fn generated_files_are_up_to_date() {
 /// Claim: every method has a specification in the corpus and a row in the README's table.
 #[test]
 fn every_method_can_be_seen() {
+    wanted_and_blessed();
     let corpus = corpus();
     let readme = fs::read_to_string(root().join("README.md")).unwrap_or_default();
     let mut missing = Vec::new();
