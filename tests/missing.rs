@@ -390,3 +390,36 @@ fn the_rounding_bounds_are_small() {
         }
     }
 }
+
+/// One of two sensors is gone for ever. Its predictions would feed on themselves (here with a factor of 1.029
+/// a call, on a stable plant), so after a window of them the observer starts again instead of going on; and
+/// it is right again N+1 samples after the sensor returns.
+#[test]
+fn one_sensor_of_two_is_not_predicted_for_ever() {
+    let text = "deadbeat = 1\nname = 'pair'\n[plant]\nA = [[1, 2], [-2, -3]]\nC = [[-1, 1], [0, -1]]\n\
+                [observer.window]\nwindow = 0.5\n[target]\nsample_time = 0.1\nscalar = 'f64'\n";
+    let generated = designed(text);
+    let window = generated.design.valid_from_step + 1;
+    let (gone, back, calls) = (21, 1_500, 1_600);
+    let mut random = Random::new(7);
+    let mut interpreter = Interpreter::new(&generated.program);
+    let mut estimate = [0.0; 2];
+    for call in 0..calls {
+        // The plant is at rest; both sensors have noise of 1e-3.
+        let mut samples = [random.within(-1e-3, 1e-3), random.within(-1e-3, 1e-3)];
+        if (gone..back).contains(&call) {
+            samples[0] = f64::NAN;
+        }
+        let status = interpreter.step(&samples, &[], &mut estimate);
+        let expected = match call {
+            _ if call + 1 < window => Converging,
+            _ if call < gone => Converged,
+            _ if call < gone + window => Coasting,
+            _ if call < back + window - 1 => Converging,
+            _ => Converged,
+        };
+        assert_eq!(status, expected, "call {call}");
+        // Six predictions let an error of the window's noise gain grow by 1.029^6 at most.
+        assert!(estimate.iter().all(|x| x.abs() < 0.1), "call {call}: {estimate:?}");
+    }
+}

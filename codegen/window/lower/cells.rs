@@ -20,6 +20,8 @@ pub(super) struct Cells {
     pub(super) newest: CellId,
     /// Good samples in a row; from N+1 on predicted ones too.
     pub(super) count: CellId,
+    /// Per output, where there are several: samples missing in a row.
+    pub(super) missed: Vec<CellId>,
     /// Calls until no replaced sample is in the window.
     pub(super) coasting: CellId,
     /// Per output: the next measurement, as far as it is known; by slot for a late one.
@@ -50,6 +52,12 @@ pub(super) fn declare(builder: &mut Builder, plant: &Plant, functional: &Functio
     let newest = builder.index_cell("newest", "slot of age 0", window - 1);
     let most = longest_count(functional);
     let count = builder.index_cell("count", &format!("good samples in a row, then predicted ones too, at most {most}"), 0);
+    let several = if plant.outputs.len() > 1 { plant.outputs.as_slice() } else { &[] };
+    let missed = several.iter().map(|output| {
+        let name = &output.label.name;
+        builder.index_cell(&format!("missed_{name}"), &format!("samples of {name} missing in a row, at most a window"), 0)
+    });
+    let missed = missed.collect();
     let coasting = builder.index_cell("coasting", "calls until no replaced sample is in the window", 0);
     let mut ahead = Vec::new();
     let mut late = Vec::new();
@@ -65,7 +73,7 @@ pub(super) fn declare(builder: &mut Builder, plant: &Plant, functional: &Functio
         }
     }
     let calls = builder.index_cell("calls", "calls since init", 0);
-    Cells { outputs, signals, inputs, newest, count, coasting, ahead, late, calls }
+    Cells { outputs, signals, inputs, newest, count, missed, coasting, ahead, late, calls }
 }
 
 fn bracketed(unit: &str) -> String {

@@ -61,6 +61,7 @@ impl<'a> Lowering<'a> {
             })
             .collect();
 
+        lost.extend(self.abandoned(&good));
         let (late, on_time): (Vec<_>, Vec<_>) = good.into_iter().enumerate().partition(|(o, _)| self.functional.delays[*o] > 0);
         let on_time: Vec<Value> = on_time.into_iter().map(|(_, good)| good).chain(signals.now).collect();
         let newest_good = self.all(&on_time);
@@ -68,6 +69,31 @@ impl<'a> Lowering<'a> {
         let interval_good = self.all(&signals.since);
         let lost = self.any(&lost);
         Sampled { newest, samples_good, interval_good, newest_good, late, lost, outputs: stored, signals: values }
+    }
+
+    /// Whether an output has been missing for a whole window while another has not.
+    ///
+    /// Its predictions would then feed on themselves, corrected by what the others see of it; nothing makes
+    /// that recursion stable. With every output missing it is the plant's own model, which may go on.
+    fn abandoned(&mut self, good: &[Value]) -> Option<Value> {
+        let mut gone = Vec::new();
+        for (o, cell) in self.cells.missed.clone().into_iter().enumerate() {
+            let samples = self.window() - late_len(self.functional, o);
+            let before = self.builder.read(cell);
+            let full = self.counted(before, samples);
+            let missing = self.builder.not(good[o]);
+            gone.push(self.builder.and(missing, full));
+            let none = self.builder.index(0);
+            let more = self.builder.count_up(before, samples);
+            let missed = self.builder.select(good[o], none, more);
+            self.builder.set(cell, missed);
+        }
+        if gone.is_empty() {
+            return None;
+        }
+        let (any, all) = (self.any(&gone), self.all(&gone));
+        let some_left = self.builder.not(all);
+        Some(self.builder.and(any, some_left))
     }
 
     fn all(&mut self, values: &[Value]) -> Value {
