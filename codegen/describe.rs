@@ -58,7 +58,11 @@ pub fn commented(header: &Header, sign: &str) -> String {
 }
 
 fn title(plant: &Plant) -> String {
-    if plant.title.is_empty() { format!("Finite-time observer `{}`.", plant.name) } else { format!("Finite-time observer: {}.", plant.title.trim_end_matches('.')) }
+    if plant.title.is_empty() {
+        format!("Finite-time observer `{}`.", plant.name)
+    } else {
+        format!("Finite-time observer: {}.", plant.title.trim_end_matches('.'))
+    }
 }
 
 fn provenance(plant: &Plant, source: &Source, language: Language) -> Vec<String> {
@@ -81,9 +85,9 @@ fn provenance(plant: &Plant, source: &Source, language: Language) -> Vec<String>
 
 /// FNV-1a over the specification's text, line ends as `\n`.
 pub fn fingerprint(text: &str) -> u64 {
-    text.replace("\r\n", "\n").bytes().fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
-    })
+    text.replace("\r\n", "\n")
+        .bytes()
+        .fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3))
 }
 
 /// The plant as the user wrote it, an equation a line.
@@ -166,7 +170,10 @@ fn certificate(generated: &Generated) -> Vec<String> {
     let mut row = |what: String, values: Vec<String>| rows.push(std::iter::once(what).chain(values).collect());
     for (o, output) in plant.outputs.iter().enumerate() {
         let name = &output.label.name;
-        row(format!("noise gain from {name}, worst case"), certificate.noise_gain_l1.iter().map(|g| short(g[o])).collect());
+        row(
+            format!("noise gain from {name}, worst case"),
+            certificate.noise_gain_l1.iter().map(|g| short(g[o])).collect(),
+        );
         row(format!("noise gain from {name}, white"), certificate.noise_gain_l2.iter().map(|g| short(g[o])).collect());
     }
     for (d, disturbance) in plant.disturbances.iter().enumerate() {

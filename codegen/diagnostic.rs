@@ -188,7 +188,8 @@ impl Report {
         for (place, label) in diagnostic.labels.iter().enumerate() {
             let kind = if place == 0 { AnnotationKind::Primary } else { AnnotationKind::Context };
             let annotation = kind.span(self.source.clamp(&label.span));
-            snippet = snippet.annotation(if label.text.is_empty() { annotation } else { annotation.label(&*label.text) });
+            snippet =
+                snippet.annotation(if label.text.is_empty() { annotation } else { annotation.label(&*label.text) });
         }
         let mut group = level.primary_title(&*diagnostic.message).id(diagnostic.code).element(snippet);
         if let Some(help) = &diagnostic.help {

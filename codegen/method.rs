@@ -44,7 +44,8 @@ pub trait Keyed: Debug + Send + Sync {
 #[cfg(test)]
 pub fn designed(text: &str) -> Result<(Plant, Design), String> {
     let source = crate::diagnostic::Source { name: "test.toml".into(), text: text.into() };
-    let spec = crate::spec::Spec::parse(source.clone(), crate::spec::Settings::default()).map_err(|r| r.render(false))?;
+    let spec =
+        crate::spec::Spec::parse(source.clone(), crate::spec::Settings::default()).map_err(|r| r.render(false))?;
     let (plant, _) = Plant::new(&spec).map_err(|r| r.render(false))?;
     let design = spec.observer.keyed.design(&plant);
     let design = design.map_err(|found| crate::diagnostic::Report::new(source, found).render(false))?;

@@ -54,7 +54,8 @@ impl Curves {
         let plant = &generated.plant;
         let measured = |j: usize| {
             let alone = |o: &usize| plant.c[*o].iter().enumerate().all(|(k, c)| c.is_zero() == (k != j));
-            let unit = |o: &usize| plant.c[*o][j].as_rational().is_some_and(|c| c == deadbeat_codegen::real::Rational::ONE);
+            let unit =
+                |o: &usize| plant.c[*o][j].as_rational().is_some_and(|c| c == deadbeat_codegen::real::Rational::ONE);
             (0..plant.outputs.len()).find(|o| alone(o) && unit(o))
         };
         let states = (0..plant.states.len()).map(|j| State {
@@ -97,8 +98,17 @@ impl Curves {
         let first = format!("the first {} s", short(self.zoom_s));
         let panels = self.states.iter().enumerate().flat_map(|(j, state)| self.panels(generated, replay, j, state));
         Figure {
-            description: format!("{title}. Estimate by {}: {}.", generated.design.method, self.sentence(generated, replay)),
-            subtitle: format!("{}: {}\n{}", generated.design.method, generated.design.summary, self.sentence(generated, replay)),
+            description: format!(
+                "{title}. Estimate by {}: {}.",
+                generated.design.method,
+                self.sentence(generated, replay)
+            ),
+            subtitle: format!(
+                "{}: {}\n{}",
+                generated.design.method,
+                generated.design.summary,
+                self.sentence(generated, replay)
+            ),
             title,
             x_label: "time [s]".into(),
             columns: vec![
@@ -115,7 +125,13 @@ impl Curves {
         let errors: Vec<String> = named
             .filter(|(_, state)| state.reference.is_some())
             .map(|((state, errors), _)| {
-                format!("{} {} RMS, {} maximum {}", state.label.name, short(errors.rms()), short(errors.max), state.label.unit)
+                format!(
+                    "{} {} RMS, {} maximum {}",
+                    state.label.name,
+                    short(errors.rms()),
+                    short(errors.max),
+                    state.label.unit
+                )
             })
             .collect();
         match errors.as_slice() {
@@ -128,7 +144,8 @@ impl Curves {
     fn panels(&self, generated: &Generated, replay: &Replay, j: usize, state: &State) -> Vec<Panel> {
         let label = &generated.plant.states[j].label;
         let unit = if label.unit.is_empty() { String::new() } else { format!(" [{}]", label.unit) };
-        let converged = self.start.unwrap_or(0.0) + seconds(generated.design.valid_from_step, generated.plant.sample_time_s());
+        let converged =
+            self.start.unwrap_or(0.0) + seconds(generated.design.valid_from_step, generated.plant.sample_time_s());
         let marker = || Marker { x: converged, label: format!("converged, {} s", short(converged)) };
         let quantity = |whole: bool| {
             let pick = |line: &Line| if whole { line.whole.points() } else { line.beginning.points() };
@@ -143,8 +160,11 @@ impl Curves {
             curves.push(Curve { label: "estimate".into(), role: Role::Estimate, points: pick(&state.estimate) });
             Cell { curves, marker: (!whole).then(marker), band: None }
         };
-        let mut panels =
-            vec![Panel { y_label: format!("{}{unit}", label.name), title: label.doc.clone(), cells: vec![quantity(true), quantity(false)] }];
+        let mut panels = vec![Panel {
+            y_label: format!("{}{unit}", label.name),
+            title: label.doc.clone(),
+            cells: vec![quantity(true), quantity(false)],
+        }];
         if let Some((_, error)) = &state.reference {
             let cell = |line: &Thin| Cell {
                 curves: vec![Curve { label: "error".into(), role: Role::Error, points: line.points() }],

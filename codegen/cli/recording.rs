@@ -95,10 +95,7 @@ impl<R: Read> Recording<R> {
     /// When the header has no such column.
     pub fn select(&mut self, names: &[&str]) -> Result<Vec<usize>, RecordingError> {
         let find = |name: &&str| {
-            self.columns
-                .iter()
-                .position(|column| column == name)
-                .ok_or_else(|| self.missing_column(name))
+            self.columns.iter().position(|column| column == name).ok_or_else(|| self.missing_column(name))
         };
         self.selection = names.iter().map(find).collect::<Result<_, _>>()?;
         Ok(self.selection.clone())
@@ -114,11 +111,7 @@ impl<R: Read> Recording<R> {
     /// # Panics
     /// When `into` has not one place per selected column.
     pub fn next_row(&mut self, into: &mut [f64]) -> Result<bool, RecordingError> {
-        assert_eq!(
-            into.len(),
-            self.selection.len(),
-            "one place per selected column"
-        );
+        assert_eq!(into.len(), self.selection.len(), "one place per selected column");
         if !self.read_row()? {
             return Ok(false);
         }
@@ -135,12 +128,7 @@ impl<R: Read> Recording<R> {
         loop {
             if !self.read_line_of_row()? {
                 let help = "the first row names the columns, for example `t,theta,omega`";
-                return Err(self.error(
-                    None,
-                    None,
-                    "there is no header row".into(),
-                    Some(help.into()),
-                ));
+                return Err(self.error(None, None, "there is no header row".into(), Some(help.into())));
             }
             if self.row.line == 1 && self.row.bytes.starts_with(b"\xef\xbb\xbf") {
                 self.row.bytes.drain(..3);
@@ -159,35 +147,19 @@ impl<R: Read> Recording<R> {
 
     fn header_name(&self, index: usize) -> Result<String, RecordingError> {
         let cell = self.row.cell(index);
-        let refuse = |message: String, help: &str| {
-            Err(self.error(Some(self.row.line), None, message, Some(help.to_owned())))
-        };
+        let refuse =
+            |message: String, help: &str| Err(self.error(Some(self.row.line), None, message, Some(help.to_owned())));
         let Ok(text) = std::str::from_utf8(cell) else {
-            let message = format!(
-                "the name of column {} is not UTF-8: `{}`",
-                index + 1,
-                shortened(cell)
-            );
+            let message = format!("the name of column {} is not UTF-8: `{}`", index + 1, shortened(cell));
             return refuse(message, "save the recording as UTF-8");
         };
         let name = text.replace("\"\"", "\"");
         if name.is_empty() {
-            let message = format!(
-                "column {} of {} has no name",
-                index + 1,
-                self.row.cells.len()
-            );
-            return refuse(
-                message,
-                "name the column, or remove a comma at the end of the header",
-            );
+            let message = format!("column {} of {} has no name", index + 1, self.row.cells.len());
+            return refuse(message, "name the column, or remove a comma at the end of the header");
         }
         if let Some(first) = self.columns.iter().position(|other| *other == name) {
-            let message = format!(
-                "columns {} and {} are both named `{name}`",
-                first + 1,
-                index + 1
-            );
+            let message = format!("columns {} and {} are both named `{name}`", first + 1, index + 1);
             return refuse(message, "give every column a name of its own");
         }
         Ok(name)
@@ -234,27 +206,15 @@ impl<R: Read> Recording<R> {
     fn append_line(&mut self) -> Result<bool, RecordingError> {
         let start = self.row.bytes.len();
         let room = LONGEST_ROW + 1 - start;
-        let read = self
-            .source
-            .by_ref()
-            .take(room as u64)
-            .read_until(b'\n', &mut self.row.bytes);
-        let read = read.map_err(|cause| {
-            self.error(
-                Some(self.row.next_line),
-                None,
-                format!("cannot be read: {cause}"),
-                None,
-            )
-        })?;
+        let read = self.source.by_ref().take(room as u64).read_until(b'\n', &mut self.row.bytes);
+        let read =
+            read.map_err(|cause| self.error(Some(self.row.next_line), None, format!("cannot be read: {cause}"), None))?;
         if self.row.bytes.len() > LONGEST_ROW {
             let message = format!("a row is longer than {LONGEST_ROW} bytes");
             let help = "look for a quote that is not closed; lines have to end in a line feed";
             return Err(self.error(Some(self.row.line), None, message, Some(help.into())));
         }
-        self.row.quoted = self.row.bytes[start..]
-            .iter()
-            .fold(self.row.quoted, |quoted, &byte| quoted ^ (byte == b'"'));
+        self.row.quoted = self.row.bytes[start..].iter().fold(self.row.quoted, |quoted, &byte| quoted ^ (byte == b'"'));
         self.row.next_line += 1;
         Ok(read > 0)
     }
@@ -262,92 +222,46 @@ impl<R: Read> Recording<R> {
 
 /// The errors, one function each.
 impl<R> Recording<R> {
-    fn error(
-        &self,
-        line: Option<u64>,
-        column: Option<usize>,
-        message: String,
-        help: Option<String>,
-    ) -> RecordingError {
+    fn error(&self, line: Option<u64>, column: Option<usize>, message: String, help: Option<String>) -> RecordingError {
         let column = column.map(|index| self.columns[index].clone());
-        RecordingError {
-            name: self.name.clone(),
-            line,
-            column,
-            message,
-            help,
-        }
+        RecordingError { name: self.name.clone(), line, column, message, help }
     }
 
     fn missing_column(&self, name: &str) -> RecordingError {
-        let list = self
-            .columns
-            .iter()
-            .map(|column| format!("`{column}`"))
-            .collect::<Vec<_>>()
-            .join(", ");
+        let list = self.columns.iter().map(|column| format!("`{column}`")).collect::<Vec<_>>().join(", ");
         let help = match self.columns.as_slice() {
-            [only] if only.contains(';') || only.contains('\t') => Some(
-                "cells are separated by commas; this header looks as if they were not".to_owned(),
-            ),
+            [only] if only.contains(';') || only.contains('\t') => {
+                Some("cells are separated by commas; this header looks as if they were not".to_owned())
+            }
             _ => nearest(name, &self.columns).map(|column| format!("did you mean `{column}`?")),
         };
-        self.error(
-            None,
-            None,
-            format!("there is no column `{name}`; the columns are {list}"),
-            help,
-        )
+        self.error(None, None, format!("there is no column `{name}`; the columns are {list}"), help)
     }
 
     fn blank_line(&self, line: u64) -> RecordingError {
         let help = "write `nan` for a missing sample, or remove the line";
-        self.error(
-            Some(line),
-            Some(0),
-            "a blank line between two samples".into(),
-            Some(help.into()),
-        )
+        self.error(Some(line), Some(0), "a blank line between two samples".into(), Some(help.into()))
     }
 
     fn ragged_row(&self) -> RecordingError {
         let (found, expected) = (self.row.cells.len(), self.columns.len());
-        let count = format!(
-            "the row has {found} cell{}, the header has {expected}",
-            if found == 1 { "" } else { "s" }
-        );
+        let count = format!("the row has {found} cell{}, the header has {expected}", if found == 1 { "" } else { "s" });
         if found < expected {
-            let help = format!(
-                "cell {} is the first that is missing; a missing sample still needs its comma",
-                found + 1
-            );
+            let help =
+                format!("cell {} is the first that is missing; a missing sample still needs its comma", found + 1);
             return self.error(Some(self.row.line), Some(found), count, Some(help));
         }
         let extra = shortened(self.row.cell(expected));
-        let help = format!(
-            "cell {} is the first too many; numbers are written with a point, not with a comma",
-            expected + 1
-        );
-        self.error(
-            Some(self.row.line),
-            None,
-            format!("{count}; no column for `{extra}`"),
-            Some(help),
-        )
+        let help =
+            format!("cell {} is the first too many; numbers are written with a point, not with a comma", expected + 1);
+        self.error(Some(self.row.line), None, format!("{count}; no column for `{extra}`"), Some(help))
     }
 
     fn not_a_number(&self, column: usize) -> RecordingError {
         let cell = self.row.cell(column);
-        let what = if std::str::from_utf8(cell).is_ok() {
-            "a number"
-        } else {
-            "UTF-8"
-        };
+        let what = if std::str::from_utf8(cell).is_ok() { "a number" } else { "UTF-8" };
         let message = format!("`{}` is not {what}", shortened(cell));
-        let help = format!(
-            "this is cell {} of the row; leave it empty if the sample is missing",
-            column + 1
-        );
+        let help = format!("this is cell {} of the row; leave it empty if the sample is missing", column + 1);
         self.error(Some(self.row.line), Some(column), message, Some(help))
     }
 }
@@ -366,13 +280,7 @@ struct Row {
 
 impl Default for Row {
     fn default() -> Self {
-        Self {
-            bytes: Vec::new(),
-            cells: Vec::new(),
-            quoted: false,
-            line: 1,
-            next_line: 1,
-        }
+        Self { bytes: Vec::new(), cells: Vec::new(), quoted: false, line: 1, next_line: 1 }
     }
 }
 
@@ -432,12 +340,7 @@ fn nearest<'a>(name: &str, among: &'a [String]) -> Option<&'a str> {
     let (wanted, most) = (name.to_lowercase(), name.chars().count().div_ceil(2));
     among
         .iter()
-        .map(|other| {
-            (
-                edit_distance(&wanted, &other.to_lowercase()),
-                other.as_str(),
-            )
-        })
+        .map(|other| (edit_distance(&wanted, &other.to_lowercase()), other.as_str()))
         .filter(|(distance, _)| *distance <= most)
         .min_by_key(|(distance, _)| *distance)
         .map(|(_, other)| other)
@@ -495,15 +398,9 @@ mod tests {
     #[test]
     fn the_preamble_is_tolerated() {
         let text = "\u{feff}# rig 3, \"left\n\n  # 1 kHz\r\n t , \"a \"\"x\"\"\" ,b\r\n1,2,3";
-        assert_eq!(
-            open(text.as_bytes()).unwrap().columns(),
-            ["t", "a \"x\"", "b"]
-        );
+        assert_eq!(open(text.as_bytes()).unwrap().columns(), ["t", "a \"x\"", "b"]);
         assert_eq!(rows(text, &["t", "b"]).unwrap(), [[1.0, 3.0]]);
-        assert_eq!(
-            complaint(&text.replace('3', "x"), &["b"]),
-            "r.csv:5: column `b`: `x` is not a number"
-        );
+        assert_eq!(complaint(&text.replace('3', "x"), &["b"]), "r.csv:5: column `b`: `x` is not a number");
     }
 
     #[test]
@@ -515,49 +412,25 @@ mod tests {
     #[test]
     fn a_header_is_required() {
         assert_eq!(complaint("", &[]), "r.csv: there is no header row");
-        assert_eq!(
-            complaint("\n# only\n", &[]),
-            "r.csv: there is no header row"
-        );
+        assert_eq!(complaint("\n# only\n", &[]), "r.csv: there is no header row");
     }
 
     #[test]
     fn names_in_the_header_are_unique_and_not_empty() {
-        assert_eq!(
-            complaint("t,a, t\n", &[]),
-            "r.csv:1: columns 1 and 3 are both named `t`"
-        );
-        assert_eq!(
-            complaint("#\nt,,a\n", &[]),
-            "r.csv:2: column 2 of 3 has no name"
-        );
+        assert_eq!(complaint("t,a, t\n", &[]), "r.csv:1: columns 1 and 3 are both named `t`");
+        assert_eq!(complaint("#\nt,,a\n", &[]), "r.csv:2: column 2 of 3 has no name");
         let error = open(b"t,\xe9\n").err().unwrap();
-        assert_eq!(
-            error.to_string(),
-            "r.csv:1: the name of column 2 is not UTF-8: `\u{fffd}`"
-        );
+        assert_eq!(error.to_string(), "r.csv:1: the name of column 2 is not UTF-8: `\u{fffd}`");
     }
 
     #[test]
     fn a_missing_column_lists_the_others_and_suggests_the_nearest() {
         let error = rows("t,theta,omega\n", &["t", "teta"]).unwrap_err();
-        assert_eq!(
-            error.to_string(),
-            "r.csv: there is no column `teta`; the columns are `t`, `theta`, `omega`"
-        );
+        assert_eq!(error.to_string(), "r.csv: there is no column `teta`; the columns are `t`, `theta`, `omega`");
         assert_eq!(error.help.as_deref(), Some("did you mean `theta`?"));
-        assert_eq!(
-            rows("t,theta\n", &["Theta"]).unwrap_err().help.as_deref(),
-            Some("did you mean `theta`?")
-        );
+        assert_eq!(rows("t,theta\n", &["Theta"]).unwrap_err().help.as_deref(), Some("did you mean `theta`?"));
         assert_eq!(rows("t,theta\n", &["voltage"]).unwrap_err().help, None);
-        assert!(
-            rows("t;theta\n1;2\n", &["t"])
-                .unwrap_err()
-                .help
-                .unwrap()
-                .contains("commas")
-        );
+        assert!(rows("t;theta\n1;2\n", &["t"]).unwrap_err().help.unwrap().contains("commas"));
     }
 
     #[test]
@@ -572,83 +445,42 @@ mod tests {
     #[test]
     fn a_bad_number_is_named_by_line_and_column() {
         let error = rows("t,theta\n0,1\n1,1.2.3\n", &["theta"]).unwrap_err();
-        assert_eq!(
-            error.to_string(),
-            "r.csv:3: column `theta`: `1.2.3` is not a number"
-        );
+        assert_eq!(error.to_string(), "r.csv:3: column `theta`: `1.2.3` is not a number");
         assert!(error.help.unwrap().starts_with("this is cell 2 of the row"));
-        assert_eq!(
-            complaint("t\n1 2\n", &["t"]),
-            "r.csv:2: column `t`: `1 2` is not a number"
-        );
-        assert_eq!(
-            complaint("t\n# note\n", &["t"]),
-            "r.csv:2: column `t`: `# note` is not a number"
-        );
-        assert_eq!(
-            complaint("a,b\n1,\"2\n3\"\n", &["b"]),
-            "r.csv:2: column `b`: `2 3` is not a number"
-        );
+        assert_eq!(complaint("t\n1 2\n", &["t"]), "r.csv:2: column `t`: `1 2` is not a number");
+        assert_eq!(complaint("t\n# note\n", &["t"]), "r.csv:2: column `t`: `# note` is not a number");
+        assert_eq!(complaint("a,b\n1,\"2\n3\"\n", &["b"]), "r.csv:2: column `b`: `2 3` is not a number");
         let long = format!("t\n{}\n", "ä".repeat(500));
-        assert_eq!(
-            complaint(&long, &["t"]),
-            format!("r.csv:2: column `t`: `{}…` is not a number", "ä".repeat(24))
-        );
+        assert_eq!(complaint(&long, &["t"]), format!("r.csv:2: column `t`: `{}…` is not a number", "ä".repeat(24)));
     }
 
     #[test]
     fn columns_that_are_not_selected_may_hold_anything() {
-        assert_eq!(
-            rows("t,note\n1,\"a, b\"\n2,\"x\n\"\"y\"\"\"\n", &["t"]).unwrap(),
-            [[1.0], [2.0]]
-        );
+        assert_eq!(rows("t,note\n1,\"a, b\"\n2,\"x\n\"\"y\"\"\"\n", &["t"]).unwrap(), [[1.0], [2.0]]);
     }
 
     #[test]
     fn lines_are_counted_through_quotes_blank_lines_and_every_line_end() {
         for end in ["\n", "\r\n"] {
             let text = ["t,note", "1,\"two", "lines\"", "", "  ", "2,b", "x,c"].join(end);
-            assert_eq!(
-                complaint(&text, &["t"]),
-                "r.csv:7: column `t`: `x` is not a number"
-            );
+            assert_eq!(complaint(&text, &["t"]), "r.csv:7: column `t`: `x` is not a number");
         }
     }
 
     #[test]
     fn a_ragged_row_is_named_by_line_and_column() {
         let few = rows("t,a,b\n1,2,3\n1,2\n", &["t"]).unwrap_err();
-        assert_eq!(
-            few.to_string(),
-            "r.csv:3: column `b`: the row has 2 cells, the header has 3"
-        );
-        assert!(
-            few.help
-                .unwrap()
-                .starts_with("cell 3 is the first that is missing")
-        );
+        assert_eq!(few.to_string(), "r.csv:3: column `b`: the row has 2 cells, the header has 3");
+        assert!(few.help.unwrap().starts_with("cell 3 is the first that is missing"));
         let many = rows("t,a\n1,2,5\n", &["t"]).unwrap_err();
-        assert_eq!(
-            many.to_string(),
-            "r.csv:2: the row has 3 cells, the header has 2; no column for `5`"
-        );
-        assert!(
-            many.help
-                .unwrap()
-                .starts_with("cell 3 is the first too many")
-        );
-        assert_eq!(
-            complaint("t,a\n1\n", &["t"]),
-            "r.csv:2: column `a`: the row has 1 cell, the header has 2"
-        );
+        assert_eq!(many.to_string(), "r.csv:2: the row has 3 cells, the header has 2; no column for `5`");
+        assert!(many.help.unwrap().starts_with("cell 3 is the first too many"));
+        assert_eq!(complaint("t,a\n1\n", &["t"]), "r.csv:2: column `a`: the row has 1 cell, the header has 2");
     }
 
     #[test]
     fn a_blank_line_in_a_single_column_is_not_guessed_at() {
-        assert_eq!(
-            complaint("y\n1\n\n2\n", &["y"]),
-            "r.csv:3: column `y`: a blank line between two samples"
-        );
+        assert_eq!(complaint("y\n1\n\n2\n", &["y"]), "r.csv:3: column `y`: a blank line between two samples");
         assert_eq!(rows("y\n1\nnan\n2\n\n\n", &["y"]).unwrap().len(), 3);
     }
 
@@ -656,23 +488,14 @@ mod tests {
     fn invalid_utf_8_is_an_error_in_a_selected_cell() {
         let mut recording = open(b"t,a\n1,2\xff\n").unwrap();
         let error = recording.next_row(&mut [0.0; 2]).unwrap_err();
-        assert_eq!(
-            error.to_string(),
-            "r.csv:2: column `a`: `2\u{fffd}` is not UTF-8"
-        );
+        assert_eq!(error.to_string(), "r.csv:2: column `a`: `2\u{fffd}` is not UTF-8");
     }
 
     #[test]
     fn an_open_quote_ends_in_an_error_and_not_in_memory() {
-        assert_eq!(
-            complaint("t,a\n1,\"2\n3,4\n", &["t"]),
-            "r.csv:2: a quote is opened and never closed"
-        );
+        assert_eq!(complaint("t,a\n1,\"2\n3,4\n", &["t"]), "r.csv:2: a quote is opened and never closed");
         let long = format!("t,a\n0,0\n1,\"2\n{}", "3,4\n".repeat(LONGEST_ROW));
-        assert_eq!(
-            complaint(&long, &["t"]),
-            "r.csv:3: a row is longer than 1048576 bytes"
-        );
+        assert_eq!(complaint(&long, &["t"]), "r.csv:3: a row is longer than 1048576 bytes");
     }
 
     #[test]
@@ -685,9 +508,6 @@ mod tests {
         }
         let mut recording = Recording::open(b"t\n1\n".chain(Broken), "-").unwrap();
         assert!(recording.next_row(&mut [0.0]).unwrap());
-        assert_eq!(
-            recording.next_row(&mut [0.0]).unwrap_err().to_string(),
-            "-:3: cannot be read: unplugged"
-        );
+        assert_eq!(recording.next_row(&mut [0.0]).unwrap_err().to_string(), "-:3: cannot be read: unplugged");
     }
 }

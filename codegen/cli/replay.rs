@@ -152,7 +152,11 @@ impl<'a> Replay<'a> {
     }
 
     /// Samples since the previous row, at least 1.
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "rounded, positive and bounded just before")]
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "rounded, positive and bounded just before"
+    )]
     fn gap(&mut self, row: &Row) -> Result<u64, String> {
         let Some((before, now)) = self.previous.as_ref().and_then(|p| p.t).zip(row.t) else { return Ok(1) };
         let h = self.plant.sample_time_s();

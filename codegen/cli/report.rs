@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use deadbeat_codegen::describe::{self, short};
 use deadbeat_codegen::plant::modes::modes;
 use deadbeat_codegen::program::cost::{Cost, cost};
-use deadbeat_codegen::{Generated, Language, VERSION, Source};
+use deadbeat_codegen::{Generated, Language, Source, VERSION};
 use serde_json::{Map, Value, json};
 
 fn counted(generated: &Generated) -> Cost {
@@ -15,7 +15,9 @@ fn counted(generated: &Generated) -> Cost {
 /// The design for machines; the keys are those of the manual.
 pub fn json(generated: &Generated) -> Value {
     let (plant, design) = (&generated.plant, &generated.design);
-    let names = |labels: Vec<&deadbeat_codegen::plant::Label>| -> Vec<String> { labels.iter().map(|l| l.name.clone()).collect() };
+    let names = |labels: Vec<&deadbeat_codegen::plant::Label>| -> Vec<String> {
+        labels.iter().map(|l| l.name.clone()).collect()
+    };
     let constants: Map<String, Value> =
         design.constants.iter().map(|matrix| (matrix.letter.to_owned(), json!(matrix.rows))).collect();
     let fir = design.fir.as_ref().map(|fir| json!({ "known": fir.known, "K": fir.k, "M": fir.m }));

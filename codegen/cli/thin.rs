@@ -35,13 +35,7 @@ impl Thin {
     /// A curve to be drawn `columns` pixels wide (at least one).
     pub fn new(columns: usize) -> Self {
         let columns = u32::try_from(columns).map_or(MOST_COLUMNS, |n| n.clamp(1, MOST_COLUMNS));
-        Self {
-            columns,
-            width: 0.0,
-            first: None,
-            last: None,
-            buckets: Vec::new(),
-        }
+        Self { columns, width: 0.0, first: None, last: None, buckets: Vec::new() }
     }
 
     /// Takes the next point; times must not decrease.
@@ -63,11 +57,7 @@ impl Thin {
         while elapsed / self.width >= f64::from(2 * self.columns) {
             self.widen();
         }
-        self.put(Bucket {
-            index: index(elapsed, self.width),
-            earlier: point,
-            later: point,
-        });
+        self.put(Bucket { index: index(elapsed, self.width), earlier: point, later: point });
     }
 
     /// The thinned curve in the order of time, with a NaN value where the line is to be interrupted;
@@ -127,13 +117,7 @@ impl Bucket {
 
 /// The position of the first point whose value is better than all before it.
 fn best(points: &[Point; 4], better: impl Fn(f64, f64) -> bool) -> usize {
-    (1..points.len()).fold(0, |kept, i| {
-        if better(points[i].1, points[kept].1) {
-            i
-        } else {
-            kept
-        }
-    })
+    (1..points.len()).fold(0, |kept, i| if better(points[i].1, points[kept].1) { i } else { kept })
 }
 
 /// The bucket of a time; 0 as long as the width is unknown, or when time runs backwards.
@@ -167,9 +151,7 @@ mod tests {
 
     #[test]
     fn a_short_curve_is_kept_whole() {
-        let curve: Vec<Point> = (0..50)
-            .map(|k| (f64::from(k), f64::from(k * k % 7)))
-            .collect();
+        let curve: Vec<Point> = (0..50).map(|k| (f64::from(k), f64::from(k * k % 7))).collect();
         assert_eq!(thin(100, curve.clone()), curve);
     }
 
@@ -183,11 +165,7 @@ mod tests {
     fn memory_is_constant_and_spikes_survive() {
         let mut thin = Thin::new(300);
         for k in 0..1_000_000 {
-            let y = if k == 123_457 {
-                9.0
-            } else {
-                f64::from(k % 10) / 10.0
-            };
+            let y = if k == 123_457 { 9.0 } else { f64::from(k % 10) / 10.0 };
             thin.push(f64::from(k) * 1e-3, y);
             assert!(thin.buckets.len() <= 600);
         }
@@ -201,22 +179,14 @@ mod tests {
 
     #[test]
     fn every_bucket_keeps_its_extremes() {
-        let curve: Vec<Point> = (0..10_000)
-            .map(|k| (f64::from(k), f64::from(k * 7919 % 10_007)))
-            .collect();
+        let curve: Vec<Point> = (0..10_000).map(|k| (f64::from(k), f64::from(k * 7919 % 10_007))).collect();
         let mut kept = Thin::new(40);
         for &(t, y) in &curve {
             kept.push(t, y);
         }
         for bucket in &kept.buckets {
-            let inside = curve
-                .iter()
-                .filter(|p| index(p.0, kept.width) == bucket.index)
-                .map(|p| p.1);
-            let (low, high) = (
-                bucket.earlier.1.min(bucket.later.1),
-                bucket.earlier.1.max(bucket.later.1),
-            );
+            let inside = curve.iter().filter(|p| index(p.0, kept.width) == bucket.index).map(|p| p.1);
+            let (low, high) = (bucket.earlier.1.min(bucket.later.1), bucket.earlier.1.max(bucket.later.1));
             assert_eq!(inside.clone().fold(f64::INFINITY, f64::min), low);
             assert_eq!(inside.fold(f64::NEG_INFINITY, f64::max), high);
         }
@@ -225,19 +195,7 @@ mod tests {
     #[test]
     fn a_long_gap_stays_and_a_gap_narrower_than_a_pixel_goes() {
         let gap = |from: i32, to: i32| {
-            thin(
-                100,
-                (0..100_000).map(|k| {
-                    (
-                        f64::from(k),
-                        if (from..to).contains(&k) {
-                            f64::NAN
-                        } else {
-                            1.0
-                        },
-                    )
-                }),
-            )
+            thin(100, (0..100_000).map(|k| (f64::from(k), if (from..to).contains(&k) { f64::NAN } else { 1.0 })))
         };
         assert!(gap(40_000, 60_000).iter().any(|p| p.1.is_nan()));
         assert!(gap(40_001, 40_002).iter().all(|p| p.1.is_finite()));
@@ -245,10 +203,7 @@ mod tests {
 
     #[test]
     fn the_first_and_the_last_point_are_exact_even_when_missing() {
-        let points = thin(
-            10,
-            (0..1000).map(|k| (f64::from(k), if k % 999 == 0 { f64::NAN } else { 1.0 })),
-        );
+        let points = thin(10, (0..1000).map(|k| (f64::from(k), if k % 999 == 0 { f64::NAN } else { 1.0 })));
         assert!(points[0].0 == 0.0 && points[0].1.is_nan());
         assert!(points[points.len() - 1].0 == 999.0 && points[points.len() - 1].1.is_nan());
     }

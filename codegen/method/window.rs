@@ -22,8 +22,8 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use super::{Keyed, Method};
-use crate::design::{Design, Fir, NamedMatrix, Shape};
 use crate::decimal::show;
+use crate::design::{Design, Fir, NamedMatrix, Shape};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::expr::List;
 use crate::plant::Plant;
@@ -31,9 +31,9 @@ use crate::real::{Matrix, Precision, equilibrated_columns, rank, singular_values
 use crate::spec::Quantity;
 use crate::spec::reader::Table;
 use crate::window::certificate::certify;
+use crate::window::minimax::best_rows;
 use crate::window::model::{Model, signals};
 use crate::window::settle::settle;
-use crate::window::minimax::best_rows;
 use crate::window::solve::{Choice, observability, output_powers};
 use crate::window::{Functional, count, refuse_much_work, seconds, trimmed, whole_samples};
 
@@ -44,7 +44,11 @@ pub const METHOD: Method = Method {
     source: "002 (9), (19) without unknowns, made discrete-exact",
     keys: &[
         ("window", "s", "length of the window, a whole number of samples; the estimate has converged after it"),
-        ("weights", "\"equal\" | \"minimax\"", "least squares, or the smallest worst-case noise gain (quantised signals)"),
+        (
+            "weights",
+            "\"equal\" | \"minimax\"",
+            "least squares, or the smallest worst-case noise gain (quantised signals)",
+        ),
         ("realization", "\"auto\" | \"fir\"", "how the step computes it"),
     ],
     realizations: &[("fir", "one weighted sum over the stored samples; no state that can drift")],
@@ -69,7 +73,10 @@ enum Weighting {
 fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
     let window = table.quantity("window");
     if window.is_none() && !table.has("window") {
-        table.missing("window", "write `window = …`, the length in seconds; the deadline by which the estimate is exact");
+        table.missing(
+            "window",
+            "write `window = …`, the length in seconds; the deadline by which the estimate is exact",
+        );
     }
     let words = [("equal", Weighting::Equal), ("minimax", Weighting::Minimax)];
     let weighting = table.choice("weights", &words, Weighting::Equal);
@@ -165,13 +172,21 @@ fn delays(plant: &Plant, found: &mut Vec<Diagnostic>) -> Option<Vec<usize>> {
         .iter()
         .map(|output| match &output.delay {
             None => Some(0),
-            Some((delay, span)) => whole_samples(delay, span, &format!("the delay of `{}`", output.label.name), plant, found),
+            Some((delay, span)) => {
+                whole_samples(delay, span, &format!("the delay of `{}`", output.label.name), plant, found)
+            }
         })
         .collect();
     delays.into_iter().collect()
 }
 
-fn refuse_long_delays(plant: &Plant, delays: &[usize], steps: usize, window: &Range<usize>, found: &mut Vec<Diagnostic>) {
+fn refuse_long_delays(
+    plant: &Plant,
+    delays: &[usize],
+    steps: usize,
+    window: &Range<usize>,
+    found: &mut Vec<Diagnostic>,
+) {
     for (output, delay) in plant.outputs.iter().zip(delays) {
         if let Some((_, span)) = &output.delay
             && *delay > steps
@@ -215,7 +230,9 @@ fn verdict(plant: &Plant, delays: &[usize], steps: usize, window: &Range<usize>)
         let error = Diagnostic::error(codes::WINDOW_TOO_SHORT, window.clone(), message)
             .label(format!("{} samples show {shown} of {n} states", steps + 1))
             .measured(count(shown));
-        return Err(vec![error.help(format!("a window of at least {} s", show(count(needed) * plant.sample_time_s())))]);
+        return Err(vec![
+            error.help(format!("a window of at least {} s", show(count(needed) * plant.sample_time_s()))),
+        ]);
     }
     let values = singular_values(&scaled);
     Ok((&values[0] / &values[n - 1]).to_f64())
@@ -228,7 +245,11 @@ fn unobservable(plant: &Plant, rows: &Matrix, values: &[f64]) -> Diagnostic {
     let hidden: Vec<&crate::plant::State> = (0..n)
         .filter(|j| {
             let unit = Matrix::from_fn(1, n, |_, k| {
-                if k == *j { crate::real::Real::one(rows.precision()) } else { crate::real::Real::zero(rows.precision()) }
+                if k == *j {
+                    crate::real::Real::one(rows.precision())
+                } else {
+                    crate::real::Real::zero(rows.precision())
+                }
             });
             rank(&equilibrated_columns(&rows.vcat(&unit)).0, VERDICT_BITS / 2).rank > base
         })
@@ -245,7 +266,9 @@ fn unobservable(plant: &Plant, rows: &Matrix, values: &[f64]) -> Diagnostic {
         return Diagnostic::error(codes::PRECISION, plant.sample_time.1.clone(), message)
             .label(format!("rank {base} of {n}; smallest singular value {smallest_shown}"))
             .measured(smallest)
-            .help("a shorter sample time, or a model without the modes that grow beyond all others within a few samples");
+            .help(
+                "a shorter sample time, or a model without the modes that grow beyond all others within a few samples",
+            );
     }
     let span = hidden.first().map(|s| s.label.span.clone()).filter(|s| !s.is_empty()).unwrap_or(plant.span.clone());
     let verb = if names.len() == 1 { "state" } else { "states" };
@@ -273,7 +296,12 @@ fn time_warning(plant: &Plant) -> Option<Diagnostic> {
     }
     let hours = 16_777_216.0 * plant.sample_time_s() / 3_600.0;
     let warning = Diagnostic::warning(codes::TIME_RESOLUTION, timed.node.span.clone(), "`t` loses resolution in f32");
-    Some(warning.label(format!("after {hours:.1} h it no longer counts every call")).measured(hours).help("use f64, or an input that carries the phase"))
+    Some(
+        warning
+            .label(format!("after {hours:.1} h it no longer counts every call"))
+            .measured(hours)
+            .help("use f64, or an input that carries the phase"),
+    )
 }
 
 fn constants(model: &Model) -> Vec<NamedMatrix> {

@@ -31,7 +31,11 @@ pub(super) fn read_expression(text: &Text, known: &[(String, Meaning)], found: &
 }
 
 /// A quantity as a constant whose value exists.
-pub(super) fn read_constant(quantity: &Quantity, known: &[(String, Meaning)], found: &mut Vec<Diagnostic>) -> Option<Constant> {
+pub(super) fn read_constant(
+    quantity: &Quantity,
+    known: &[(String, Meaning)],
+    found: &mut Vec<Diagnostic>,
+) -> Option<Constant> {
     let (constant, span) = match quantity {
         Quantity::Number(value, span) => (Constant::from(value.clone()), span.clone()),
         Quantity::Expression(text) => {

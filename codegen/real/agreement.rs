@@ -16,15 +16,8 @@ pub struct Agreement {
 
 /// Compares constants pairwise. Exact zeros on both sides agree perfectly; an exact zero on one
 /// side only agrees in no digit.
-pub fn compare<'a>(
-    mut coarse: impl Iterator<Item = &'a Real>,
-    mut fine: impl Iterator<Item = &'a Real>,
-) -> Agreement {
-    let mut agreement = Agreement {
-        digits: f64::INFINITY,
-        same_f64: true,
-        same_f32: true,
-    };
+pub fn compare<'a>(mut coarse: impl Iterator<Item = &'a Real>, mut fine: impl Iterator<Item = &'a Real>) -> Agreement {
+    let mut agreement = Agreement { digits: f64::INFINITY, same_f64: true, same_f32: true };
     loop {
         match (coarse.next(), fine.next()) {
             (None, None) => return agreement,
@@ -34,11 +27,7 @@ pub fn compare<'a>(
                 agreement.same_f32 &= coarse.to_f32().to_bits() == fine.to_f32().to_bits();
             }
             _ => {
-                return Agreement {
-                    digits: 0.0,
-                    same_f64: false,
-                    same_f32: false,
-                };
+                return Agreement { digits: 0.0, same_f64: false, same_f32: false };
             }
         }
     }
@@ -62,10 +51,7 @@ mod tests {
     use super::*;
 
     fn reals(values: &[f64]) -> Vec<Real> {
-        values
-            .iter()
-            .map(|&x| Real::from_f64(x, Precision::bits(200)).unwrap())
-            .collect()
+        values.iter().map(|&x| Real::from_f64(x, Precision::bits(200)).unwrap()).collect()
     }
 
     #[test]
@@ -73,14 +59,7 @@ mod tests {
         let fine = reals(&[1.0, -1000.0, 0.0]);
         let mut coarse = fine.clone();
         let equal = compare(coarse.iter(), fine.iter());
-        assert_eq!(
-            equal,
-            Agreement {
-                digits: f64::INFINITY,
-                same_f64: true,
-                same_f32: true
-            }
-        );
+        assert_eq!(equal, Agreement { digits: f64::INFINITY, same_f64: true, same_f32: true });
         // One part in 2^40 of the largest: 12 digits, another double, the same single.
         coarse[1] = &coarse[1] + &coarse[1].shifted(-40);
         let close = compare(coarse.iter(), fine.iter());

@@ -34,11 +34,7 @@ impl Real {
         let (quotient, remainder) = (a << shift).div_rem(&b);
         let quotient = (quotient << 1) | UBig::from(u8::from(!remainder.is_zero()));
         let exponent = self.exponent - divisor.exponent - size(shift) - 1;
-        Ok(Self::rounded(
-            IBig::from_parts(sign_a * sign_b, quotient),
-            exponent,
-            p,
-        ))
+        Ok(Self::rounded(IBig::from_parts(sign_a * sign_b, quotient), exponent, p))
     }
 
     /// The square root, correctly rounded.
@@ -60,11 +56,7 @@ impl Real {
         let (root, remainder) = (magnitude << shift).sqrt_rem();
         let root = (root << 1) | UBig::from(u8::from(!remainder.is_zero()));
         let exponent = (self.exponent - size(shift)) / 2 - 1;
-        Ok(Self::rounded(
-            IBig::from_parts(Sign::Positive, root),
-            exponent,
-            self.precision,
-        ))
+        Ok(Self::rounded(IBig::from_parts(Sign::Positive, root), exponent, self.precision))
     }
 
     /// The integer power `self^n` (`0^0` is one), by repeated squaring with guard bits: exact if
@@ -101,11 +93,7 @@ impl Real {
                 power = &power * &base;
             }
         }
-        let power = if n < 0 {
-            Self::one(working).checked_div(&power)?
-        } else {
-            power
-        };
+        let power = if n < 0 { Self::one(working).checked_div(&power)? } else { power };
         Ok(power.into_precision(p))
     }
 
@@ -116,32 +104,19 @@ impl Real {
         if self.is_zero() || a.is_zero() {
             return b.with_precision(p);
         }
-        add(
-            &self.mantissa * &a.mantissa,
-            self.exponent + a.exponent,
-            b.clone(),
-            p,
-        )
+        add(&self.mantissa * &a.mantissa, self.exponent + a.exponent, b.clone(), p)
     }
 
     /// The sum of the products of the pairs, accumulated with 32 guard bits and rounded to `p`
     /// once: the error is below half a unit in the last place plus `terms * 2^-(p+32)` of the
     /// sum of the magnitudes. Pairs with an exact zero are skipped.
     #[must_use]
-    pub fn sum_of_products<'a>(
-        pairs: impl IntoIterator<Item = (&'a Self, &'a Self)>,
-        p: Precision,
-    ) -> Self {
+    pub fn sum_of_products<'a>(pairs: impl IntoIterator<Item = (&'a Self, &'a Self)>, p: Precision) -> Self {
         let working = p.plus(GUARD);
         let mut sum = Self::zero(working);
         for (a, b) in pairs {
             if !a.is_zero() && !b.is_zero() {
-                sum = add(
-                    &a.mantissa * &b.mantissa,
-                    a.exponent + b.exponent,
-                    sum,
-                    working,
-                );
+                sum = add(&a.mantissa * &b.mantissa, a.exponent + b.exponent, sum, working);
             }
         }
         sum.into_precision(p)
@@ -176,10 +151,7 @@ fn add(mantissa: IBig, exponent: i64, other: Real, p: Precision) -> Real {
 impl Neg for Real {
     type Output = Real;
     fn neg(self) -> Real {
-        Real {
-            mantissa: -self.mantissa,
-            ..self
-        }
+        Real { mantissa: -self.mantissa, ..self }
     }
 }
 
@@ -218,11 +190,7 @@ impl Mul for &Real {
         if self.is_zero() || other.is_zero() {
             return Real::zero(p);
         }
-        Real::rounded(
-            &self.mantissa * &other.mantissa,
-            self.exponent + other.exponent,
-            p,
-        )
+        Real::rounded(&self.mantissa * &other.mantissa, self.exponent + other.exponent, p)
     }
 }
 
@@ -233,8 +201,7 @@ impl Mul for &Real {
 impl Div for &Real {
     type Output = Real;
     fn div(self, other: &Real) -> Real {
-        self.checked_div(other)
-            .expect("the divisor is known not to be zero")
+        self.checked_div(other).expect("the divisor is known not to be zero")
     }
 }
 
@@ -285,19 +252,13 @@ mod tests {
     fn stream(count: usize, p: Precision) -> Vec<Real> {
         let mut state = 0x9e37_79b9_7f4a_7c15_u64;
         let mut next = || {
-            state = state
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1_442_695_040_888_963_407);
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
             state >> 16
         };
         (0..count)
             .map(|_| {
                 let mantissa = i64::try_from(next() >> (next() % 40)).unwrap_or(0) - (1 << 20);
-                Real::rounded(
-                    IBig::from(mantissa),
-                    i64::try_from(next() % 90).unwrap_or(0) - 45,
-                    p,
-                )
+                Real::rounded(IBig::from(mantissa), i64::try_from(next() % 90).unwrap_or(0) - 45, p)
             })
             .collect()
     }
@@ -327,10 +288,7 @@ mod tests {
         let speck = Real::one(p).shifted(-(1 << 50));
         // 257 is half way between 256 and 258 at 8 bits; mul_add rounds the exact sum once.
         let one = Real::one(p);
-        assert_eq!(
-            add(tie.mantissa.clone(), 0, speck.clone(), p),
-            Real::from_i64(258, p)
-        );
+        assert_eq!(add(tie.mantissa.clone(), 0, speck.clone(), p), Real::from_i64(258, p));
         assert_eq!(add(tie.mantissa, 0, -&speck, p), Real::from_i64(256, p));
         assert_eq!(one.mul_add(&one, &speck), one);
         assert_eq!(&one - &speck, one);
@@ -347,10 +305,7 @@ mod tests {
                 continue;
             }
             // The half units around the root enclose the true one.
-            let half = Real::one(p)
-                .shifted(root.top().unwrap() - 41)
-                .to_rational()
-                .unwrap();
+            let half = Real::one(p).shifted(root.top().unwrap() - 41).to_rational().unwrap();
             let root = root.to_rational().unwrap();
             let (low, high) = (&root - &half, &root + &half);
             assert!(&low * &low <= exact && exact <= &high * &high);
@@ -362,21 +317,12 @@ mod tests {
     fn powers_are_exact_when_they_fit() {
         let p = Precision::bits(200);
         let three = Real::from_i64(3, p);
-        assert_eq!(
-            three.checked_powi(100).unwrap().to_rational().unwrap(),
-            Rational::from(3).pow(100)
-        );
-        assert_eq!(
-            Real::from_i64(-2, p).checked_powi(-3).unwrap().to_f64(),
-            -0.125
-        );
+        assert_eq!(three.checked_powi(100).unwrap().to_rational().unwrap(), Rational::from(3).pow(100));
+        assert_eq!(Real::from_i64(-2, p).checked_powi(-3).unwrap().to_f64(), -0.125);
         assert_eq!(Real::zero(p).checked_powi(0).unwrap(), Real::one(p));
         assert!(Real::zero(p).checked_powi(-1).is_err());
         assert!(three.checked_powi(i64::MIN).is_err());
-        assert_eq!(
-            Real::from_i64(-1, p).checked_powi(i64::MIN).unwrap(),
-            Real::one(p)
-        );
+        assert_eq!(Real::from_i64(-1, p).checked_powi(i64::MIN).unwrap(), Real::one(p));
     }
 
     #[test]

@@ -11,10 +11,7 @@ pub(super) fn pivot_threshold(p: Precision, rows: usize) -> i64 {
 
 /// The binary exponent of the sum of magnitudes; `None` if they are all zero.
 fn sum_top<'a>(elements: impl Iterator<Item = &'a Real>) -> Option<i64> {
-    elements
-        .map(Real::abs)
-        .reduce(|a, b| a + b)
-        .and_then(|sum| sum.top())
+    elements.map(Real::abs).reduce(|a, b| a + b).and_then(|sum| sum.top())
 }
 
 /// The columns scaled by powers of two so that the largest magnitude of each lies in [1/2, 1),
@@ -22,14 +19,8 @@ fn sum_top<'a>(elements: impl Iterator<Item = &'a Real>) -> Option<i64> {
 /// columns stay.
 #[must_use]
 pub fn equilibrated_columns(a: &Matrix) -> (Matrix, Vec<i64>) {
-    let shifts: Vec<i64> = (0..a.cols())
-        .map(|j| {
-            -(0..a.rows())
-                .filter_map(|i| a[(i, j)].top())
-                .max()
-                .unwrap_or(0)
-        })
-        .collect();
+    let shifts: Vec<i64> =
+        (0..a.cols()).map(|j| -(0..a.rows()).filter_map(|i| a[(i, j)].top()).max().unwrap_or(0)).collect();
     let scaled = Matrix::from_fn(a.rows(), a.cols(), |i, j| a[(i, j)].shifted(shifts[j]));
     (scaled.with_precision(a.precision()), shifts)
 }
@@ -75,9 +66,7 @@ pub fn balanced(a: &Matrix) -> (Matrix, Vec<i64>) {
 /// Undoes [`balanced`] on a function of the balanced matrix: `D f D^-1`.
 #[must_use]
 pub fn unbalanced(f: &Matrix, shifts: &[i64]) -> Matrix {
-    Matrix::from_fn(f.rows(), f.cols(), |i, j| {
-        f[(i, j)].shifted(shifts[i].saturating_sub(shifts[j]))
-    })
+    Matrix::from_fn(f.rows(), f.cols(), |i, j| f[(i, j)].shifted(shifts[i].saturating_sub(shifts[j])))
 }
 
 #[cfg(test)]
@@ -89,11 +78,7 @@ mod tests {
     fn balancing_is_exact_and_lowers_the_norm_of_badly_scaled_matrices() {
         let p = Precision::bits(64);
         // An oscillator in metres, driven through a large gain.
-        let a = fractions(
-            &[[0, 1, 0], [-1_000_000_000, -3, 8_000_000], [0, 0, 0]],
-            1,
-            p,
-        );
+        let a = fractions(&[[0, 1, 0], [-1_000_000_000, -3, 8_000_000], [0, 0, 0]], 1, p);
         let (b, shifts) = balanced(&a);
         assert_eq!(unbalanced(&b, &shifts), a);
         assert!(b.norm_1().to_f64() < 1e5);

@@ -18,11 +18,7 @@ impl Real {
 
     /// The integer, unrounded, with a nominal precision.
     fn exact(mantissa: IBig, precision: Precision) -> Self {
-        Self {
-            mantissa,
-            exponent: 0,
-            precision,
-        }
+        Self { mantissa, exponent: 0, precision }
     }
 
     /// The double, rounded to `p` if it is longer; `None` for infinities and NaN.
@@ -34,21 +30,9 @@ impl Real {
         let bits = x.to_bits();
         let field = i64::try_from(bits >> 52 & 0x7ff).unwrap_or(0);
         let fraction = bits & ((1 << 52) - 1);
-        let (magnitude, exponent) = if field == 0 {
-            (fraction, -1074)
-        } else {
-            (fraction | 1 << 52, field - 1075)
-        };
-        let sign = if x.is_sign_negative() {
-            Sign::Negative
-        } else {
-            Sign::Positive
-        };
-        Some(Self::rounded(
-            IBig::from_parts(sign, UBig::from(magnitude)),
-            exponent,
-            p,
-        ))
+        let (magnitude, exponent) = if field == 0 { (fraction, -1074) } else { (fraction | 1 << 52, field - 1075) };
+        let sign = if x.is_sign_negative() { Sign::Negative } else { Sign::Positive };
+        Some(Self::rounded(IBig::from_parts(sign, UBig::from(magnitude)), exponent, p))
     }
 
     /// The nearest double, ties to even: one rounding, subnormals included; values of 2^1024 -
@@ -119,10 +103,7 @@ impl Real {
     /// `log2 |self|` for reports, to about 12 digits; minus infinity for zero. Computed from
     /// exactly defined operations, so it is the same on every machine.
     #[must_use]
-    #[allow(
-        clippy::cast_precision_loss,
-        reason = "both casts are of short integers"
-    )]
+    #[allow(clippy::cast_precision_loss, reason = "both casts are of short integers")]
     #[allow(clippy::missing_panics_doc, reason = "the expectation always holds")]
     pub fn log2_abs(&self) -> f64 {
         let Some(top) = self.top() else {
@@ -130,11 +111,7 @@ impl Real {
         };
         let (_, magnitude) = self.mantissa.clone().into_parts();
         let length = magnitude.bit_len();
-        let leading = if length > 53 {
-            magnitude >> (length - 53)
-        } else {
-            magnitude << (53 - length)
-        };
+        let leading = if length > 53 { magnitude >> (length - 53) } else { magnitude << (53 - length) };
         let leading = u64::try_from(leading).expect("53 bits are left");
         // 1 <= x < 2; squaring doubles the logarithm and hands out its bits one by one.
         let mut x = leading as f64 / (1_u64 << 52) as f64;
@@ -167,11 +144,7 @@ impl Real {
         loop {
             let scale = size(digits) - 1 - exponent;
             let power = Rational::from(UBig::from(10_u8).pow(count(scale.abs())));
-            let scaled = if scale < 0 {
-                &exact / power
-            } else {
-                &exact * power
-            };
+            let scaled = if scale < 0 { &exact / power } else { &exact * power };
             let text = scaled.round().to_string();
             if text.len() == digits {
                 let (first, rest) = text.split_at(1);
@@ -191,11 +164,7 @@ impl std::fmt::Display for Real {
 }
 
 #[cfg(test)]
-#[allow(
-    clippy::float_cmp,
-    clippy::cast_possible_truncation,
-    reason = "exact expectations"
-)]
+#[allow(clippy::float_cmp, clippy::cast_possible_truncation, reason = "exact expectations")]
 mod tests {
     use super::*;
 
@@ -212,10 +181,7 @@ mod tests {
         assert_eq!((&tie + power(-52)).to_f64(), 1.0 + 2.0 * f64::EPSILON);
         assert_eq!((-(&tie + &speck)).to_f64(), -1.0 - f64::EPSILON);
         assert_eq!((power(0) - power(-54)).to_f64(), 1.0);
-        assert_eq!(
-            (power(0) - power(-54) - &speck).to_f64(),
-            1.0 - f64::EPSILON / 2.0
-        );
+        assert_eq!((power(0) - power(-54) - &speck).to_f64(), 1.0 - f64::EPSILON / 2.0);
     }
 
     #[test]
@@ -258,26 +224,14 @@ mod tests {
             bits = bits.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
             let x = f64::from_bits(bits);
             if x.is_finite() {
-                assert_eq!(
-                    Real::from_f64(x, Precision::bits(53))
-                        .unwrap()
-                        .to_f64()
-                        .to_bits(),
-                    bits
-                );
+                assert_eq!(Real::from_f64(x, Precision::bits(53)).unwrap().to_f64().to_bits(), bits);
                 let single = x as f32;
                 let there = Real::from_f64(x, Precision::bits(53)).unwrap().to_f32();
                 assert_eq!(there.to_bits(), single.to_bits());
             }
         }
         assert!(Real::from_f64(f64::NAN, Precision::bits(53)).is_none());
-        assert_eq!(
-            Real::from_f64(-0.0, Precision::bits(53))
-                .unwrap()
-                .to_f64()
-                .to_bits(),
-            0
-        );
+        assert_eq!(Real::from_f64(-0.0, Precision::bits(53)).unwrap().to_f64().to_bits(), 0);
     }
 
     #[test]

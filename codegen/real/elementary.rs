@@ -58,30 +58,19 @@ fn returned(outcome: Outcome, p: Precision) -> Result<Real, Undefined> {
         return Err(Undefined::OutOfRange);
     }
     let (mantissa, exponent) = value.into_parts();
-    Ok(Real::rounded(
-        mantissa,
-        i64::try_from(exponent).map_err(|_| Undefined::OutOfRange)?,
-        p,
-    ))
+    Ok(Real::rounded(mantissa, i64::try_from(exponent).map_err(|_| Undefined::OutOfRange)?, p))
 }
 
 impl Real {
     /// The circle constant, correctly rounded.
     #[must_use]
     pub fn pi(p: Precision) -> Self {
-        let (mantissa, exponent) = Rounding::new(p.as_bits())
-            .pi::<2>(None)
-            .value()
-            .into_repr()
-            .into_parts();
+        let (mantissa, exponent) = Rounding::new(p.as_bits()).pi::<2>(None).value().into_repr().into_parts();
         Self::rounded(mantissa, exponent as i64, p)
     }
 
     /// Applies a library function.
-    fn through(
-        &self,
-        function: impl FnOnce(&Rounding, &Repr<2>) -> Outcome,
-    ) -> Result<Self, Undefined> {
+    fn through(&self, function: impl FnOnce(&Rounding, &Repr<2>) -> Outcome) -> Result<Self, Undefined> {
         self.bounded()?;
         let context = Rounding::new(self.precision.as_bits());
         returned(function(&context, &lent(self)?), self.precision)
@@ -240,17 +229,12 @@ impl Real {
         if self.is_linear() {
             return self.clone();
         }
-        let one = if self.is_negative() {
-            -Self::one(p)
-        } else {
-            Self::one(p)
-        };
+        let one = if self.is_negative() { -Self::one(p) } else { Self::one(p) };
         // 1 - |tanh x| < 2 exp(-2 |x|), below half a unit in the last place from |x| = bits on.
         if self.abs() >= Self::from_i64(size(p.as_bits()), Precision::bits(64)) {
             return one;
         }
-        self.through(|context, x| context.tanh(x, None))
-            .unwrap_or(one)
+        self.through(|context, x| context.tanh(x, None)).unwrap_or(one)
     }
 
     /// The power `self^y`: by repeated squaring for integer `y`, otherwise `exp(y ln self)` with
@@ -279,9 +263,7 @@ impl Real {
             None => Some(0),
             Some(1..63) => {
                 let value = self.to_rational()?;
-                value
-                    .is_int()
-                    .then(|| i64::try_from(value.numerator()).ok())?
+                value.is_int().then(|| i64::try_from(value.numerator()).ok())?
             }
             _ => None,
         }
@@ -327,11 +309,7 @@ mod tests {
         // Next to the ends of the domains, and to a zero of the logarithm.
         let one = Real::one(p);
         for k in [-52, -51, -40] {
-            table.extend([
-                &one + one.shifted(k),
-                &one - one.shifted(k),
-                -(&one - one.shifted(k)),
-            ]);
+            table.extend([&one + one.shifted(k), &one - one.shifted(k), -(&one - one.shifted(k))]);
         }
         table.extend([Real::zero(p), Real::pi(p), Real::pi(p).shifted(-1)]);
         table
@@ -384,10 +362,7 @@ mod tests {
         assert_eq!(zero.checked_atan2(&zero), outside);
         assert_eq!((-&two).checked_powf(&one.shifted(-1)), outside);
         assert_eq!(zero.checked_powf(&-&one.shifted(-1)), outside);
-        assert_eq!(
-            Real::from_f64(1e30, p).unwrap().checked_exp(),
-            Err(Undefined::OutOfRange)
-        );
+        assert_eq!(Real::from_f64(1e30, p).unwrap().checked_exp(), Err(Undefined::OutOfRange));
         assert_eq!(one.shifted(1400).checked_exp(), Err(Undefined::OutOfRange));
         assert_eq!(one.shifted(4096).checked_sin(), Err(Undefined::OutOfRange));
     }
@@ -398,13 +373,9 @@ mod tests {
         let wide = p.plus(150);
         for k in 1..30 {
             let x = Real::from_i64(k * k - 7 * k, p) / Real::from_i64(31, p);
-            for function in [
-                Real::checked_exp,
-                Real::checked_sin,
-                Real::checked_cos,
-                Real::checked_tan,
-                Real::checked_atan,
-            ] {
+            for function in
+                [Real::checked_exp, Real::checked_sin, Real::checked_cos, Real::checked_tan, Real::checked_atan]
+            {
                 let fine = function(&x.with_precision(wide)).unwrap();
                 assert_eq!(function(&x).unwrap(), fine.into_precision(p));
             }
@@ -428,24 +399,10 @@ mod tests {
         assert_eq!((-&one).checked_acos().unwrap(), pi);
         assert_eq!(one.checked_atan().unwrap(), pi.shifted(-2));
         assert_eq!(Real::zero(p).checked_atan2(&-&one).unwrap(), pi);
-        assert_eq!(
-            Real::from_i64(4, p).checked_powf(&one.shifted(-1)).unwrap(),
-            Real::from_i64(2, p)
-        );
-        assert_eq!(
-            Real::from_i64(-2, p)
-                .checked_powf(&Real::from_i64(3, p))
-                .unwrap(),
-            Real::from_i64(-8, p)
-        );
-        assert_eq!(
-            one.checked_exp().unwrap().to_decimal(30),
-            "2.71828182845904523536028747135e0"
-        );
-        assert_eq!(
-            pi.checked_ln().unwrap().to_decimal(30),
-            "1.14472988584940017414342735135e0"
-        );
+        assert_eq!(Real::from_i64(4, p).checked_powf(&one.shifted(-1)).unwrap(), Real::from_i64(2, p));
+        assert_eq!(Real::from_i64(-2, p).checked_powf(&Real::from_i64(3, p)).unwrap(), Real::from_i64(-8, p));
+        assert_eq!(one.checked_exp().unwrap().to_decimal(30), "2.71828182845904523536028747135e0");
+        assert_eq!(pi.checked_ln().unwrap().to_decimal(30), "1.14472988584940017414342735135e0");
         assert_eq!(pi.shifted(400).tanh(), one);
     }
 }

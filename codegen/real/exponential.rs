@@ -70,10 +70,7 @@ pub fn exponential(a: &Matrix) -> Result<Matrix, NormTooLarge> {
     }
     let guard = growth + spread + 2 * squarings + 2 * i64::from(n.max(1).ilog2()) + 24;
     let working = p.plus(count(guard));
-    let mut result = taylor(
-        &b.with_precision(working).shifted(-squarings),
-        reduction.max(-top),
-    );
+    let mut result = taylor(&b.with_precision(working).shifted(-squarings), reduction.max(-top));
     for _ in 0..squarings {
         result = &result * &result;
     }
@@ -128,10 +125,7 @@ fn degree(reduction: i64, p: Precision) -> usize {
 ///
 /// # Panics
 /// If the shapes of `a` and `b` do not fit.
-#[allow(
-    clippy::many_single_char_names,
-    reason = "the letters of the textbooks"
-)]
+#[allow(clippy::many_single_char_names, reason = "the letters of the textbooks")]
 pub fn zero_order_hold(a: &Matrix, b: &Matrix, h: &Real) -> Result<(Matrix, Matrix), NormTooLarge> {
     let (n, m) = (a.rows(), b.cols());
     let p = a.precision().max(b.precision()).max(h.precision());
@@ -152,15 +146,8 @@ pub fn zero_order_hold(a: &Matrix, b: &Matrix, h: &Real) -> Result<(Matrix, Matr
 ///
 /// # Panics
 /// If the shapes of `a` and `b` do not fit.
-#[allow(
-    clippy::many_single_char_names,
-    reason = "the letters of the textbooks"
-)]
-pub fn first_order_hold(
-    a: &Matrix,
-    b: &Matrix,
-    h: &Real,
-) -> Result<(Matrix, Matrix, Matrix), NormTooLarge> {
+#[allow(clippy::many_single_char_names, reason = "the letters of the textbooks")]
+pub fn first_order_hold(a: &Matrix, b: &Matrix, h: &Real) -> Result<(Matrix, Matrix, Matrix), NormTooLarge> {
     let (n, m) = (a.rows(), b.cols());
     let p = a.precision().max(b.precision()).max(h.precision());
     let h = h.with_precision(p.plus(GUARD));
@@ -172,11 +159,7 @@ pub fn first_order_hold(
     let step = result.block(0..n, n..n + m);
     let ramp = result.block(0..n, n + m..n + 2 * m);
     let gamma0 = (&step - &ramp).with_precision(p);
-    Ok((
-        result.block(0..n, 0..n).with_precision(p),
-        gamma0,
-        ramp.with_precision(p),
-    ))
+    Ok((result.block(0..n, 0..n).with_precision(p), gamma0, ramp.with_precision(p)))
 }
 
 #[cfg(test)]
@@ -277,10 +260,7 @@ mod tests {
         let exact = (Real::one(p) - &decay) * Real::from_i64(2, p) / Real::from_i64(5, p);
         assert!((&gamma[(0, 0)] - &exact).log2_abs() < -178.0);
         // A ramp of two singular states: gamma0 = h^2/3 and h/2, gamma1 = h^2/6 and h/2.
-        let (a, b) = (
-            fractions(&[[0, 1], [0, 0]], 1, p),
-            fractions(&[[0], [1]], 1, p),
-        );
+        let (a, b) = (fractions(&[[0, 1], [0, 0]], 1, p), fractions(&[[0], [1]], 1, p));
         let (_, gamma0, gamma1) = first_order_hold(&a, &b, &h).unwrap();
         let close = |x: &Real, y: Real| assert!((x - &y).log2_abs() < y.log2_abs() - 176.0);
         close(&gamma0[(0, 0)], &h * &h / Real::from_i64(3, p));
@@ -310,11 +290,7 @@ mod tests {
     #[test]
     fn holds_satisfy_their_identities_for_general_systems() {
         let p = Precision::bits(200);
-        let (a, b, h) = (
-            arbitrary(5, 5, p).shifted(2),
-            arbitrary(5, 2, p),
-            Real::from_i64(1, p).shifted(-2),
-        );
+        let (a, b, h) = (arbitrary(5, 5, p).shifted(2), arbitrary(5, 2, p), Real::from_i64(1, p).shifted(-2));
         let (phi, gamma) = zero_order_hold(&a, &b, &h).unwrap();
         assert!(distance(&(&a * &gamma), &(&(&phi - &Matrix::identity(5, p)) * &b)) < -194.0);
         let (same, gamma0, gamma1) = first_order_hold(&a, &b, &h).unwrap();

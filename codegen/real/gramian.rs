@@ -20,11 +20,7 @@ use super::number::{Real, count};
 /// If the shapes do not fit.
 pub fn gramian(a: &Matrix, c: &Matrix, tau: &Real) -> Result<Matrix, NormTooLarge> {
     let n = a.rows();
-    assert_eq!(
-        (a.cols(), c.cols()),
-        (n, n),
-        "a square matrix and as many output columns"
-    );
+    assert_eq!((a.cols(), c.cols()), (n, n), "a square matrix and as many output columns");
     let p = a.precision().max(c.precision()).max(tau.precision());
     let (balanced, _) = super::balance::balanced(&a.scale(tau));
     let growth = match balanced.norm_1().top() {
@@ -35,10 +31,7 @@ pub fn gramian(a: &Matrix, c: &Matrix, tau: &Real) -> Result<Matrix, NormTooLarg
     let working = p.plus(count(growth) + 40);
     // The result is linear in tau c'c: it enters the exponential at order one.
     let magnitude = c.max_abs().top().unwrap_or(0);
-    let (a, c) = (
-        a.with_precision(working),
-        c.with_precision(working).shifted(-magnitude),
-    );
+    let (a, c) = (a.with_precision(working), c.with_precision(working).shifted(-magnitude));
     let mut block = Matrix::zeros(2 * n, 2 * n, working);
     block.set_block(0, 0, &a.transpose().scale(tau));
     block.set_block(0, n, &(&c.transpose() * &c));
@@ -46,9 +39,7 @@ pub fn gramian(a: &Matrix, c: &Matrix, tau: &Real) -> Result<Matrix, NormTooLarg
     let result = exponential(&block)?;
     let backward = result.block(n..2 * n, n..2 * n);
     let gramian = &backward.transpose() * &result.block(0..n, n..2 * n);
-    let symmetric = (&gramian + &gramian.transpose())
-        .scale(tau)
-        .shifted(2 * magnitude - 1);
+    let symmetric = (&gramian + &gramian.transpose()).scale(tau).shifted(2 * magnitude - 1);
     Ok(symmetric.with_precision(p))
 }
 
@@ -96,10 +87,7 @@ mod tests {
     #[test]
     fn a_double_integrator_has_its_polynomial_gramian() {
         let p = Precision::bits(120);
-        let (a, c) = (
-            fractions(&[[0, 1], [0, 0]], 1, p),
-            fractions(&[[1, 0]], 1, p),
-        );
+        let (a, c) = (fractions(&[[0, 1], [0, 0]], 1, p), fractions(&[[1, 0]], 1, p));
         let found = gramian(&a, &c, &Real::from_i64(6, p)).unwrap();
         // [[tau, -tau^2/2], [., tau^3/3]]
         let exact = fractions(&[[6, -18], [-18, 72]], 1, p);
@@ -110,16 +98,10 @@ mod tests {
     fn a_decaying_state_grows_exponentially_into_the_past() {
         let p = Precision::bits(120);
         for rate in [1, 60] {
-            let found = gramian(
-                &fractions(&[[-rate]], 1, p),
-                &Matrix::identity(1, p),
-                &Real::one(p),
-            );
+            let found = gramian(&fractions(&[[-rate]], 1, p), &Matrix::identity(1, p), &Real::one(p));
             let rate = Real::from_i64(2 * rate, p.plus(60));
             let exact = (rate.checked_exp().unwrap() - Real::one(p)) / &rate;
-            assert!(
-                (found.unwrap()[(0, 0)].clone() - &exact).log2_abs() < exact.log2_abs() - 118.0
-            );
+            assert!((found.unwrap()[(0, 0)].clone() - &exact).log2_abs() < exact.log2_abs() - 118.0);
         }
     }
 }

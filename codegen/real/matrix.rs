@@ -21,12 +21,7 @@ impl Matrix {
     /// The zero matrix.
     #[must_use]
     pub fn zeros(rows: usize, cols: usize, p: Precision) -> Self {
-        Self {
-            rows,
-            cols,
-            data: vec![Real::zero(p); rows * cols],
-            precision: p,
-        }
+        Self { rows, cols, data: vec![Real::zero(p); rows * cols], precision: p }
     }
 
     /// The identity.
@@ -41,42 +36,21 @@ impl Matrix {
 
     /// The matrix with the element `element(i, j)` in row `i`, column `j`.
     #[must_use]
-    pub fn from_fn(
-        rows: usize,
-        cols: usize,
-        mut element: impl FnMut(usize, usize) -> Real,
-    ) -> Self {
+    pub fn from_fn(rows: usize, cols: usize, mut element: impl FnMut(usize, usize) -> Real) -> Self {
         let mut data = Vec::with_capacity(rows * cols);
         for i in 0..rows {
             for j in 0..cols {
                 data.push(element(i, j));
             }
         }
-        let precision = data
-            .iter()
-            .map(Real::precision)
-            .max()
-            .unwrap_or_else(|| Precision::bits(0));
-        Self {
-            rows,
-            cols,
-            data,
-            precision,
-        }
+        let precision = data.iter().map(Real::precision).max().unwrap_or_else(|| Precision::bits(0));
+        Self { rows, cols, data, precision }
     }
 
     /// [`Matrix::from_fn`] for a shape that may be empty: a precision of at least `p`.
-    fn shaped(
-        rows: usize,
-        cols: usize,
-        p: Precision,
-        element: impl FnMut(usize, usize) -> Real,
-    ) -> Self {
+    fn shaped(rows: usize, cols: usize, p: Precision, element: impl FnMut(usize, usize) -> Real) -> Self {
         let made = Self::from_fn(rows, cols, element);
-        Self {
-            precision: made.precision.max(p),
-            ..made
-        }
+        Self { precision: made.precision.max(p), ..made }
     }
 
     /// The number of rows.
@@ -101,11 +75,7 @@ impl Matrix {
     #[must_use]
     pub fn with_precision(&self, p: Precision) -> Self {
         let data = self.data.iter().map(|x| x.with_precision(p)).collect();
-        Self {
-            data,
-            precision: p,
-            ..*self
-        }
+        Self { data, precision: p, ..*self }
     }
 
     /// The element in row `i`, column `j`.
@@ -126,33 +96,20 @@ impl Matrix {
     #[must_use]
     pub fn map(&self, function: impl FnMut(&Real) -> Real) -> Self {
         let data: Vec<Real> = self.data.iter().map(function).collect();
-        let precision = data
-            .iter()
-            .map(Real::precision)
-            .max()
-            .unwrap_or(self.precision);
-        Self {
-            data,
-            precision,
-            ..*self
-        }
+        let precision = data.iter().map(Real::precision).max().unwrap_or(self.precision);
+        Self { data, precision, ..*self }
     }
 
     /// The transpose.
     #[must_use]
     pub fn transpose(&self) -> Self {
-        Self::shaped(self.cols, self.rows, self.precision, |i, j| {
-            self[(j, i)].clone()
-        })
+        Self::shaped(self.cols, self.rows, self.precision, |i, j| self[(j, i)].clone())
     }
 
     /// Every element times `factor`.
     #[must_use]
     pub fn scale(&self, factor: &Real) -> Self {
-        Self {
-            precision: self.precision.max(factor.precision()),
-            ..self.map(|x| x * factor)
-        }
+        Self { precision: self.precision.max(factor.precision()), ..self.map(|x| x * factor) }
     }
 
     /// Every element times `2^k`, exactly.
@@ -170,11 +127,7 @@ impl Matrix {
         assert_eq!(self.rows, right.rows, "hcat needs equally many rows");
         let p = self.precision.max(right.precision);
         Self::shaped(self.rows, self.cols + right.cols, p, |i, j| {
-            if j < self.cols {
-                self[(i, j)].clone()
-            } else {
-                right[(i, j - self.cols)].clone()
-            }
+            if j < self.cols { self[(i, j)].clone() } else { right[(i, j - self.cols)].clone() }
         })
     }
 
@@ -187,11 +140,7 @@ impl Matrix {
         assert_eq!(self.cols, below.cols, "vcat needs equally many columns");
         let p = self.precision.max(below.precision);
         Self::shaped(self.rows + below.rows, self.cols, p, |i, j| {
-            if i < self.rows {
-                self[(i, j)].clone()
-            } else {
-                below[(i - self.rows, j)].clone()
-            }
+            if i < self.rows { self[(i, j)].clone() } else { below[(i - self.rows, j)].clone() }
         })
     }
 
@@ -201,13 +150,8 @@ impl Matrix {
     /// If it extends past the matrix.
     #[must_use]
     pub fn block(&self, rows: Range<usize>, cols: Range<usize>) -> Self {
-        assert!(
-            rows.end <= self.rows && cols.end <= self.cols,
-            "block inside the matrix"
-        );
-        Self::shaped(rows.len(), cols.len(), self.precision, |i, j| {
-            self[(rows.start + i, cols.start + j)].clone()
-        })
+        assert!(rows.end <= self.rows && cols.end <= self.cols, "block inside the matrix");
+        Self::shaped(rows.len(), cols.len(), self.precision, |i, j| self[(rows.start + i, cols.start + j)].clone())
     }
 
     /// Overwrites the block whose upper left corner is at row `i`, column `j`.
@@ -239,19 +183,14 @@ impl Matrix {
     #[must_use]
     pub fn norm_inf(&self) -> Real {
         let zero = Real::zero(self.precision);
-        let row_sum =
-            |i: usize| (0..self.cols).fold(zero.clone(), |sum, j| sum + self[(i, j)].abs());
+        let row_sum = |i: usize| (0..self.cols).fold(zero.clone(), |sum, j| sum + self[(i, j)].abs());
         (0..self.rows).map(row_sum).max().unwrap_or(zero)
     }
 
     /// The largest magnitude; zero for an empty matrix.
     #[must_use]
     pub fn max_abs(&self) -> Real {
-        self.data
-            .iter()
-            .map(Real::abs)
-            .max()
-            .unwrap_or_else(|| Real::zero(self.precision))
+        self.data.iter().map(Real::abs).max().unwrap_or_else(|| Real::zero(self.precision))
     }
 
     /// Whether every element is exactly zero.
@@ -263,9 +202,7 @@ impl Matrix {
     /// The nearest doubles, row by row.
     #[must_use]
     pub fn to_f64(&self) -> Vec<Vec<f64>> {
-        (0..self.rows)
-            .map(|i| (0..self.cols).map(|j| self[(i, j)].to_f64()).collect())
-            .collect()
+        (0..self.rows).map(|i| (0..self.cols).map(|j| self[(i, j)].to_f64()).collect()).collect()
     }
 
     /// The power `self^n`, by repeated squaring with guard bits for the multiplications.
@@ -275,9 +212,7 @@ impl Matrix {
     #[must_use]
     pub fn powi(&self, n: u64) -> Self {
         assert_eq!(self.rows, self.cols, "powers need a square matrix");
-        let working = self
-            .precision
-            .plus(32 + 2 * (u64::BITS - n.leading_zeros()) as usize);
+        let working = self.precision.plus(32 + 2 * (u64::BITS - n.leading_zeros()) as usize);
         let base = self.with_precision(working);
         let mut power = Self::identity(self.rows, working);
         for bit in (0..u64::BITS - n.leading_zeros()).rev() {
@@ -291,22 +226,9 @@ impl Matrix {
 
     /// The elements combined pairwise.
     fn zip(&self, other: &Self, combine: impl Fn(&Real, &Real) -> Real) -> Self {
-        assert_eq!(
-            (self.rows, self.cols),
-            (other.rows, other.cols),
-            "equal shapes"
-        );
-        let data = self
-            .data
-            .iter()
-            .zip(&other.data)
-            .map(|(a, b)| combine(a, b))
-            .collect();
-        Self {
-            data,
-            precision: self.precision.max(other.precision),
-            ..*self
-        }
+        assert_eq!((self.rows, self.cols), (other.rows, other.cols), "equal shapes");
+        let data = self.data.iter().zip(&other.data).map(|(a, b)| combine(a, b)).collect();
+        Self { data, precision: self.precision.max(other.precision), ..*self }
     }
 }
 
@@ -379,9 +301,7 @@ pub(super) mod tests {
     pub(in crate::real) fn arbitrary(rows: usize, cols: usize, p: Precision) -> Matrix {
         let mut state = 7_u64;
         Matrix::from_fn(rows, cols, |_, _| {
-            state = state
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(99);
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(99);
             Real::rounded(((state >> 12).cast_signed() - (1 << 51)).into(), -51, p)
         })
     }
@@ -399,10 +319,7 @@ pub(super) mod tests {
         assert_eq!(square, fractions(&[[14, 32], [32, 77]], 1, p));
         assert_eq!(square.powi(3), &(&square * &square) * &square);
         assert_eq!(square.powi(0), Matrix::identity(2, p));
-        assert_eq!(
-            a.hcat(&a).block(0..2, 2..5),
-            fractions(&[[3, 1, 2], [6, 4, 5]], 1, p)
-        );
+        assert_eq!(a.hcat(&a).block(0..2, 2..5), fractions(&[[3, 1, 2], [6, 4, 5]], 1, p));
         assert_eq!(a.vcat(&a).column(1), fractions(&[[2], [5], [2], [5]], 1, p));
         assert_eq!((&(&a - &a) + &a).scale(&Real::from_i64(2, p)), a.shifted(1));
         assert_eq!(a.norm_1().to_f64().to_bits(), 9.0_f64.to_bits());

@@ -18,9 +18,7 @@ impl Precision {
     /// A precision of `bits` mantissa bits (at least 8, at most 2^24).
     #[must_use]
     pub fn bits(bits: usize) -> Self {
-        Self {
-            bits: bits.clamp(Self::RANGE.0, Self::RANGE.1),
-        }
+        Self { bits: bits.clamp(Self::RANGE.0, Self::RANGE.1) }
     }
 
     /// The precision carrying `digits` decimal digits, rounded up to whole bits.
@@ -80,21 +78,13 @@ impl Real {
     /// Zero at precision `p`.
     #[must_use]
     pub fn zero(p: Precision) -> Self {
-        Self {
-            mantissa: IBig::ZERO,
-            exponent: 0,
-            precision: p,
-        }
+        Self { mantissa: IBig::ZERO, exponent: 0, precision: p }
     }
 
     /// One at precision `p`.
     #[must_use]
     pub fn one(p: Precision) -> Self {
-        Self {
-            mantissa: IBig::ONE,
-            exponent: 0,
-            precision: p,
-        }
+        Self { mantissa: IBig::ONE, exponent: 0, precision: p }
     }
 
     /// The integer `n`, rounded to `p` bits if it is longer.
@@ -111,21 +101,14 @@ impl Real {
             let drop = length - p.as_bits();
             let (sign, magnitude) = mantissa.into_parts();
             let magnitude = shift_right_to_even(magnitude, drop);
-            (
-                IBig::from_parts(sign, magnitude),
-                exponent.saturating_add(size(drop)),
-            )
+            (IBig::from_parts(sign, magnitude), exponent.saturating_add(size(drop)))
         } else {
             (mantissa, exponent)
         };
         if mantissa.is_zero() || exponent < -EXPONENT_LIMIT {
             return Self::zero(p);
         }
-        Self {
-            mantissa,
-            exponent: exponent.min(EXPONENT_LIMIT),
-            precision: p,
-        }
+        Self { mantissa, exponent: exponent.min(EXPONENT_LIMIT), precision: p }
     }
 
     /// The precision this number carries into operations.
@@ -161,21 +144,13 @@ impl Real {
     /// The magnitude, exactly.
     #[must_use]
     pub fn abs(&self) -> Self {
-        if self.is_negative() {
-            -self
-        } else {
-            self.clone()
-        }
+        if self.is_negative() { -self } else { self.clone() }
     }
 
     /// The value times `2^k`, exactly.
     #[must_use]
     pub fn shifted(&self, k: i64) -> Self {
-        Self::rounded(
-            self.mantissa.clone(),
-            self.exponent.saturating_add(k),
-            self.precision,
-        )
+        Self::rounded(self.mantissa.clone(), self.exponent.saturating_add(k), self.precision)
     }
 
     /// The smallest `t` with `|self| < 2^t`; `None` for zero.
@@ -209,10 +184,7 @@ pub(super) fn shift_right_to_even(mut magnitude: UBig, drop: usize) -> UBig {
         return magnitude;
     }
     let half = magnitude.bit(drop - 1);
-    let above_half = half
-        && magnitude
-            .trailing_zeros()
-            .is_some_and(|zeros| zeros < drop - 1);
+    let above_half = half && magnitude.trailing_zeros().is_some_and(|zeros| zeros < drop - 1);
     magnitude >>= drop;
     if half && (above_half || magnitude.bit(0)) {
         magnitude += UBig::ONE;
@@ -239,11 +211,7 @@ impl Ord for Real {
         };
         sign(self).cmp(&sign(other)).then_with(|| {
             let order = self.cmp_abs(other);
-            if sign(self) < 0 {
-                order.reverse()
-            } else {
-                order
-            }
+            if sign(self) < 0 { order.reverse() } else { order }
         })
     }
 }

@@ -24,11 +24,7 @@ pub struct RankDeficient {
 
 impl fmt::Display for RankDeficient {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            formatter,
-            "column {} depends on the columns before it",
-            self.column
-        )
+        write!(formatter, "column {} depends on the columns before it", self.column)
     }
 }
 
@@ -53,28 +49,19 @@ fn dot(a: &[Real], b: &[Real], p: Precision) -> Real {
 
 /// The columns of a matrix.
 pub(super) fn columns(a: &Matrix) -> Vec<Vec<Real>> {
-    (0..a.cols())
-        .map(|j| (0..a.rows()).map(|i| a[(i, j)].clone()).collect())
-        .collect()
+    (0..a.cols()).map(|j| (0..a.rows()).map(|i| a[(i, j)].clone()).collect()).collect()
 }
 
 impl Factors {
     /// Factors a matrix with at least as many rows as columns, at its precision.
     pub(super) fn of(a: &Matrix) -> Self {
         let precision = a.precision();
-        let mut factors = Self {
-            reflections: Vec::new(),
-            weights: Vec::new(),
-            upper: Vec::new(),
-            precision,
-        };
+        let mut factors = Self { reflections: Vec::new(), weights: Vec::new(), upper: Vec::new(), precision };
         for (k, mut column) in columns(a).into_iter().enumerate() {
             factors.reflect(&mut column);
             let mut vector = column.split_off(k);
             let square = dot(&vector, &vector, precision);
-            let norm = square
-                .checked_sqrt()
-                .expect("a sum of squares is not negative");
+            let norm = square.checked_sqrt().expect("a sum of squares is not negative");
             if norm.is_zero() {
                 vector.clear();
                 column.push(norm);
@@ -83,9 +70,7 @@ impl Factors {
                 // The sign that adds magnitudes; then v'v = 2 norm (norm + |x0|).
                 let negative = vector[0].is_negative();
                 let reach = &norm + vector[0].abs();
-                factors
-                    .weights
-                    .push(Real::one(precision) / (&norm * &reach));
+                factors.weights.push(Real::one(precision) / (&norm * &reach));
                 vector[0] = if negative { -reach } else { reach };
                 column.push(if negative { norm } else { -norm });
             }
@@ -114,17 +99,13 @@ impl Factors {
 
     /// Applies them in the opposite order: `Q column`.
     fn reflect_back(&self, column: &mut [Real]) {
-        (0..self.reflections.len())
-            .rev()
-            .for_each(|k| self.reflect_once(k, column));
+        (0..self.reflections.len()).rev().for_each(|k| self.reflect_once(k, column));
     }
 
     /// Refuses diagonal elements of `R` below `2^-threshold`.
     fn full_rank(&self, threshold: i64) -> Result<(), RankDeficient> {
         let small = |j: usize| self.upper[j][j].top().is_none_or(|top| top < -threshold);
-        (0..self.upper.len())
-            .find(|&j| small(j))
-            .map_or(Ok(()), |column| Err(RankDeficient { column }))
+        (0..self.upper.len()).find(|&j| small(j)).map_or(Ok(()), |column| Err(RankDeficient { column }))
     }
 
     /// Solves `R x = y` in place, for the leading elements of `y`.
@@ -141,11 +122,7 @@ impl Factors {
 }
 
 /// Scales, factors at `working` precision and checks the rank to precision `p`.
-fn factored(
-    a: &Matrix,
-    p: Precision,
-    working: Precision,
-) -> Result<(Factors, Vec<i64>), RankDeficient> {
+fn factored(a: &Matrix, p: Precision, working: Precision) -> Result<(Factors, Vec<i64>), RankDeficient> {
     assert!(a.rows() >= a.cols(), "at least as many rows as columns");
     let (scaled, shifts) = equilibrated_columns(&a.with_precision(working));
     let factors = Factors::of(&scaled);
@@ -173,9 +150,7 @@ pub fn least_squares(a: &Matrix, b: &Matrix) -> Result<Matrix, RankDeficient> {
         factors.reflect(column);
         factors.back_substitute(column);
     }
-    let x = Matrix::from_fn(a.cols(), b.cols(), |i, j| {
-        solutions[j][i].shifted(shifts[i])
-    });
+    let x = Matrix::from_fn(a.cols(), b.cols(), |i, j| solutions[j][i].shifted(shifts[i]));
     Ok(x.with_precision(p))
 }
 
@@ -235,10 +210,7 @@ mod tests {
         let a = arbitrary(9, 3, p);
         let shifts = [-300, 0, 500];
         let awkward = Matrix::from_fn(9, 3, |i, j| a[(i, j)].shifted(shifts[j]));
-        let (plain, awkward) = (
-            pseudo_inverse(&a).unwrap(),
-            pseudo_inverse(&awkward).unwrap(),
-        );
+        let (plain, awkward) = (pseudo_inverse(&a).unwrap(), pseudo_inverse(&awkward).unwrap());
         let undone = Matrix::from_fn(3, 9, |i, j| awkward[(i, j)].shifted(shifts[i]));
         assert_eq!(undone, plain);
     }
@@ -259,14 +231,9 @@ mod tests {
         let p = Precision::bits(90);
         let a = fractions(&[[1, 2, 3], [4, 5, 9], [7, 8, 15], [1, 0, 1]], 7, p);
         assert_eq!(pseudo_inverse(&a), Err(RankDeficient { column: 2 }));
-        assert_eq!(
-            pseudo_inverse(&Matrix::zeros(3, 1, p)),
-            Err(RankDeficient { column: 0 })
-        );
+        assert_eq!(pseudo_inverse(&Matrix::zeros(3, 1, p)), Err(RankDeficient { column: 0 }));
         let structured = fractions(&[[1, 0], [0, 3], [0, 0]], 1, p);
         let inverse = pseudo_inverse(&structured).unwrap();
-        assert!(
-            inverse[(0, 1)].is_zero() && inverse[(1, 0)].is_zero() && inverse[(0, 2)].is_zero()
-        );
+        assert!(inverse[(0, 1)].is_zero() && inverse[(1, 0)].is_zero() && inverse[(0, 2)].is_zero());
     }
 }

@@ -17,31 +17,17 @@ const SWEEPS: usize = 100;
 #[allow(clippy::missing_panics_doc, reason = "the expectation always holds")]
 pub fn singular_values(a: &Matrix) -> Vec<Real> {
     let p = a.precision();
-    let tall = if a.rows() >= a.cols() {
-        a.clone()
-    } else {
-        a.transpose()
-    };
+    let tall = if a.rows() >= a.cols() { a.clone() } else { a.transpose() };
     let n = tall.cols();
     let working = p.plus(GUARD);
     // A common power of two, so that the squares stay in range whatever the scale.
     let scale = tall.max_abs().top().unwrap_or(0);
     let factors = Factors::of(&tall.with_precision(working).shifted(-scale));
     // The columns of R', which Jacobi diagonalises faster than those of R.
-    let lower = Matrix::from_fn(n, n, |i, j| {
-        factors.upper[i]
-            .get(j)
-            .cloned()
-            .unwrap_or_else(|| Real::zero(working))
-    });
+    let lower = Matrix::from_fn(n, n, |i, j| factors.upper[i].get(j).cloned().unwrap_or_else(|| Real::zero(working)));
     let mut values: Vec<Real> = jacobi(columns(&lower), working)
         .into_iter()
-        .map(|square| {
-            square
-                .checked_sqrt()
-                .expect("a sum of squares")
-                .shifted(scale)
-        })
+        .map(|square| square.checked_sqrt().expect("a sum of squares").shifted(scale))
         .map(|value| value.into_precision(p))
         .collect();
     values.sort_by(|a, b| b.cmp(a));
@@ -58,15 +44,9 @@ fn jacobi(mut columns: Vec<Vec<Real>>, p: Precision) -> Vec<Real> {
     for _ in 0..SWEEPS {
         let mut order: Vec<usize> = (0..n).collect();
         order.sort_by(|&a, &b| squares[b].cmp(&squares[a]).then(a.cmp(&b)));
-        columns = order
-            .iter()
-            .map(|&j| std::mem::take(&mut columns[j]))
-            .collect();
+        columns = order.iter().map(|&j| std::mem::take(&mut columns[j])).collect();
         squares = columns.iter().map(|x| dot(x, x)).collect();
-        let negligible = squares
-            .iter()
-            .max()
-            .map_or(Real::zero(p), |x| x.shifted(-rounding));
+        let negligible = squares.iter().max().map_or(Real::zero(p), |x| x.shifted(-rounding));
         let mut settled = true;
         for i in 0..n {
             for j in i + 1..n {
@@ -103,11 +83,7 @@ fn rotation(a: &Real, b: &Real, cross: &Real, p: Precision) -> (Real, Real) {
     let hypotenuse = |x: &Real| (x * x + &one).checked_sqrt().expect("at least one");
     let zeta = (b - a) / cross.shifted(1);
     let reach = zeta.abs() + hypotenuse(&zeta);
-    let tangent = if zeta.is_negative() {
-        -(&one / reach)
-    } else {
-        &one / reach
-    };
+    let tangent = if zeta.is_negative() { -(&one / reach) } else { &one / reach };
     let cosine = &one / hypotenuse(&tangent);
     let sine = &cosine * &tangent;
     (cosine, sine)
@@ -132,26 +108,14 @@ pub struct Rank {
 #[must_use]
 pub fn rank(a: &Matrix, tolerance: usize) -> Rank {
     let values = singular_values(a);
-    let threshold = values
-        .first()
-        .map(|largest| largest.shifted(-size(tolerance)));
-    let rank = threshold.map_or(0, |threshold| {
-        values
-            .iter()
-            .take_while(|value| !value.is_zero() && **value > threshold)
-            .count()
-    });
+    let threshold = values.first().map(|largest| largest.shifted(-size(tolerance)));
+    let rank = threshold
+        .map_or(0, |threshold| values.iter().take_while(|value| !value.is_zero() && **value > threshold).count());
     let gap = match (rank.checked_sub(1), values.get(rank)) {
-        (Some(kept), Some(dropped)) => values[kept]
-            .checked_div(dropped)
-            .map_or(f64::INFINITY, |gap| gap.to_f64()),
+        (Some(kept), Some(dropped)) => values[kept].checked_div(dropped).map_or(f64::INFINITY, |gap| gap.to_f64()),
         _ => f64::INFINITY,
     };
-    Rank {
-        rank,
-        singular_values: values.iter().map(Real::to_f64).collect(),
-        gap,
-    }
+    Rank { rank, singular_values: values.iter().map(Real::to_f64).collect(), gap }
 }
 
 /// The ratio of the largest to the smallest singular value; `None` if the smallest is zero or
@@ -170,9 +134,7 @@ mod tests {
     use super::*;
 
     fn hilbert(rows: usize, cols: usize, p: Precision) -> Matrix {
-        Matrix::from_fn(rows, cols, |i, j| {
-            Real::one(p) / Real::from_i64((i + j + 1) as i64, p)
-        })
+        Matrix::from_fn(rows, cols, |i, j| Real::one(p) / Real::from_i64((i + j + 1) as i64, p))
     }
 
     #[test]
@@ -180,10 +142,7 @@ mod tests {
         let p = Precision::bits(160);
         // The same rounded matrix, at two working precisions.
         let a = hilbert(9, 6, p);
-        let (coarse, fine) = (
-            singular_values(&a),
-            singular_values(&a.with_precision(p.doubled())),
-        );
+        let (coarse, fine) = (singular_values(&a), singular_values(&a.with_precision(p.doubled())));
         let largest = fine[0].log2_abs();
         for (x, y) in coarse.iter().zip(&fine) {
             assert!((x - y).log2_abs() < largest - 159.0);
@@ -219,14 +178,7 @@ mod tests {
         assert_eq!(rank(&Matrix::zeros(3, 2, p), 64).rank, 0);
         assert_eq!(rank(&Matrix::zeros(3, 0, p), 64).rank, 0);
         let three = fractions(&[[3, 0], [0, 0]], 1, p);
-        assert_eq!(
-            rank(&three, 64),
-            Rank {
-                rank: 1,
-                singular_values: vec![3.0, 0.0],
-                gap: f64::INFINITY
-            }
-        );
+        assert_eq!(rank(&three, 64), Rank { rank: 1, singular_values: vec![3.0, 0.0], gap: f64::INFINITY });
         assert_eq!(condition(&three), None);
     }
 }

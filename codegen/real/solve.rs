@@ -19,11 +19,7 @@ pub struct Singular {
 
 impl fmt::Display for Singular {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            formatter,
-            "column {} depends on the columns before it",
-            self.column
-        )
+        write!(formatter, "column {} depends on the columns before it", self.column)
     }
 }
 
@@ -41,9 +37,7 @@ fn eliminate(a: &Matrix, b: &Matrix, threshold: i64) -> Result<Factors, Singular
     let n = a.rows();
     let joined = a.hcat(b);
     let width = joined.cols();
-    let mut rows: Vec<Vec<Real>> = (0..n)
-        .map(|i| (0..width).map(|j| joined[(i, j)].clone()).collect())
-        .collect();
+    let mut rows: Vec<Vec<Real>> = (0..n).map(|i| (0..width).map(|j| joined[(i, j)].clone()).collect()).collect();
     let mut odd_permutation = false;
     for k in 0..n {
         let mut pivot = k;
@@ -70,10 +64,7 @@ fn eliminate(a: &Matrix, b: &Matrix, threshold: i64) -> Result<Factors, Singular
             }
         }
     }
-    Ok(Factors {
-        rows,
-        odd_permutation,
-    })
+    Ok(Factors { rows, odd_permutation })
 }
 
 /// The rows and columns brought to order one by powers of two, with the exponents applied.
@@ -92,10 +83,7 @@ fn equilibrated(a: &Matrix) -> (Matrix, Vec<i64>, Vec<i64>) {
 ///
 /// # Panics
 /// If `a` is not square or `b` has another number of rows.
-#[allow(
-    clippy::many_single_char_names,
-    reason = "the letters of the textbooks"
-)]
+#[allow(clippy::many_single_char_names, reason = "the letters of the textbooks")]
 pub fn solve(a: &Matrix, b: &Matrix) -> Result<Matrix, Singular> {
     assert_eq!(a.rows(), a.cols(), "solve needs a square matrix");
     assert_eq!(a.rows(), b.rows(), "as many right-hand rows as equations");
@@ -104,11 +92,7 @@ pub fn solve(a: &Matrix, b: &Matrix) -> Result<Matrix, Singular> {
     let working = p.plus(GUARD);
     let (scaled, row_shifts, column_shifts) = equilibrated(&a.with_precision(working));
     let right = Matrix::from_fn(n, m, |i, j| b[(i, j)].shifted(row_shifts[i]));
-    let factors = eliminate(
-        &scaled,
-        &right.with_precision(working),
-        pivot_threshold(p, n),
-    )?;
+    let factors = eliminate(&scaled, &right.with_precision(working), pivot_threshold(p, n))?;
     let mut x = Matrix::zeros(n, m, working);
     for i in (0..n).rev() {
         let row = &factors.rows[i];
@@ -149,11 +133,7 @@ pub fn determinant(a: &Matrix) -> Real {
     };
     let diagonal = factors.rows.iter().enumerate().map(|(i, row)| &row[i]);
     let product = diagonal.fold(Real::one(working), |product, pivot| &product * pivot);
-    let product = if factors.odd_permutation {
-        -product
-    } else {
-        product
-    };
+    let product = if factors.odd_permutation { -product } else { product };
     let shift: i64 = row_shifts.iter().chain(&column_shifts).sum();
     product.shifted(-shift).into_precision(p)
 }
@@ -169,15 +149,11 @@ mod tests {
     fn solutions_satisfy_their_equations_even_in_awkward_units() {
         let p = Precision::bits(150);
         let a = arbitrary(8, 8, p);
-        let awkward = Matrix::from_fn(8, 8, |i, j| {
-            a[(i, j)].shifted(40 * i as i64 - 70 * j as i64)
-        });
+        let awkward = Matrix::from_fn(8, 8, |i, j| a[(i, j)].shifted(40 * i as i64 - 70 * j as i64));
         let x = arbitrary(8, 2, p);
         assert!(distance(&solve(&a, &(&a * &x)).unwrap(), &x) < -140.0);
         let found = inverse(&awkward).unwrap();
-        let undone = Matrix::from_fn(8, 8, |i, j| {
-            found[(i, j)].shifted(40 * j as i64 - 70 * i as i64)
-        });
+        let undone = Matrix::from_fn(8, 8, |i, j| found[(i, j)].shifted(40 * j as i64 - 70 * i as i64));
         assert!(distance(&undone, &inverse(&a).unwrap()) < -140.0);
         assert!(distance(&(&undone * &a), &Matrix::identity(8, p)) < -140.0);
     }
@@ -189,10 +165,7 @@ mod tests {
         assert_eq!(inverse(&a), Err(Singular { column: 2 }));
         let thirds = fractions(&[[1, 2, 3], [4, 5, 6], [7, 8, 9]], 3, p);
         assert_eq!(inverse(&thirds), Err(Singular { column: 2 }));
-        assert_eq!(
-            inverse(&Matrix::zeros(2, 2, p)),
-            Err(Singular { column: 0 })
-        );
+        assert_eq!(inverse(&Matrix::zeros(2, 2, p)), Err(Singular { column: 0 }));
         assert!(determinant(&a).is_zero());
         assert_eq!(inverse(&Matrix::zeros(0, 0, p)), Ok(Matrix::zeros(0, 0, p)));
     }
@@ -201,10 +174,7 @@ mod tests {
     fn determinants_of_integers_are_right() {
         let p = Precision::bits(100);
         let a = fractions(&[[0, 2, 1], [3, 0, -1], [2, 5, 4]], 1, p);
-        assert_eq!(
-            determinant(&a).to_f64().round().to_bits(),
-            (-13.0_f64).to_bits()
-        );
+        assert_eq!(determinant(&a).to_f64().round().to_bits(), (-13.0_f64).to_bits());
         assert!((determinant(&a) + Real::from_i64(13, p)).log2_abs() < -95.0);
     }
 }

@@ -7,7 +7,9 @@ use toml::de::{DeTable, DeValue};
 
 use super::identifiers::{check_identifier, check_name, check_names};
 use super::reader::{Found, Table};
-use super::{Disturbance, Hold, Input, Matrices, Named, Observer, Output, Parameter, Quantity, Settings, Spec, State, Text};
+use super::{
+    Disturbance, Hold, Input, Matrices, Named, Observer, Output, Parameter, Quantity, Settings, Spec, State, Text,
+};
 use crate::diagnostic::{Diagnostic, Source, codes};
 use crate::expr::nearest;
 use crate::method;

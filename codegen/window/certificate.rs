@@ -33,7 +33,13 @@ pub fn certify(plant: &Plant, functional: &Functional, model: &Model) -> Certifi
 }
 
 /// The largest error of a state for the declared noise and disturbances; `None` where something is unbounded.
-fn error_bound(plant: &Plant, functional: &Functional, noise: &[f64], disturbance: &[f64], state: usize) -> Option<f64> {
+fn error_bound(
+    plant: &Plant,
+    functional: &Functional,
+    noise: &[f64],
+    disturbance: &[f64],
+    state: usize,
+) -> Option<f64> {
     let mut bound = 0.0;
     for (o, output) in plant.outputs.iter().enumerate() {
         let level = output.noise.as_ref()?.to_f64().ok()?;
@@ -70,7 +76,9 @@ pub fn range(plant: &Plant, symbol: Symbol) -> Interval {
     let mut sum = Interval::point(0.0);
     for (o, weight) in weights {
         let Some((low, high)) = &plant.outputs[*o].range else { return Interval::ALL };
-        let (Ok(low), Ok(high), Ok(weight)) = (low.to_f64(), high.to_f64(), weight.to_f64()) else { return Interval::ALL };
+        let (Ok(low), Ok(high), Ok(weight)) = (low.to_f64(), high.to_f64(), weight.to_f64()) else {
+            return Interval::ALL;
+        };
         sum = sum.plus(Interval::new(low, high).times(Interval::point(weight)));
     }
     if weights.is_empty() { Interval::ALL } else { sum }
@@ -85,7 +93,9 @@ fn disturbance_gains(plant: &Plant, functional: &Functional, model: &Model) -> V
         .iter()
         .map(|d| Matrix::from_fn(n, 1, |i, _| d.column[i].evaluate(p).unwrap_or_else(|_| Real::zero(p))))
         .collect();
-    let Some(kernel) = Kernel::new(plant, columns) else { return vec![vec![f64::INFINITY; plant.disturbances.len()]; n] };
+    let Some(kernel) = Kernel::new(plant, columns) else {
+        return vec![vec![f64::INFINITY; plant.disturbances.len()]; n];
+    };
     let mut gains = vec![vec![0.0; plant.disturbances.len()]; n];
     let (phi, c) = (model.phi.to_f64(), model.c.to_f64());
     let mut acc = identity_minus(functional, &c, n);
@@ -138,7 +148,8 @@ impl Kernel {
     /// Adds one interval's share for the accumulated matrix of its age.
     fn add(&self, acc: &[Vec<f64>], gains: &mut [Vec<f64>]) {
         let dot = |row: &[f64], m: &[Vec<f64>], d: usize| -> f64 { row.iter().zip(m).map(|(a, r)| a * r[d]).sum() };
-        let bound = |row: &[f64], m: &[Vec<f64>], d: usize| -> f64 { row.iter().zip(m).map(|(a, r)| a.abs() * r[d]).sum() };
+        let bound =
+            |row: &[f64], m: &[Vec<f64>], d: usize| -> f64 { row.iter().zip(m).map(|(a, r)| a.abs() * r[d]).sum() };
         for (row, gains) in acc.iter().zip(gains) {
             for (d, gain) in gains.iter_mut().enumerate() {
                 for (place, part) in self.parts.iter().enumerate() {

@@ -4,7 +4,7 @@
 //! everything in rings by slot, sum over the window, and keep what the next prediction needs. All
 //! of it is branch-free, so that the worst case is every case.
 //!
-//! No input makes the state non-finite: a sample enters a ring only if it is within [`Guard`]'s
+//! No input makes the state non-finite: a sample enters a ring only if it is within `Guard`'s
 //! bound, chosen such that no sum over the window and no prediction can overflow.
 
 mod cells;
@@ -65,7 +65,8 @@ struct Lowering<'a> {
 
 impl<'a> Lowering<'a> {
     fn new(plant: &'a Plant, functional: &'a Functional, guard: Guard) -> Self {
-        let mut builder = Builder::new(&plant.name, plant.scalar, injections::round(&plant.sample_time.0, plant.scalar));
+        let mut builder =
+            Builder::new(&plant.name, plant.scalar, injections::round(&plant.sample_time.0, plant.scalar));
         let cells = cells::declare(&mut builder, plant, functional);
         for output in &plant.outputs {
             builder.measurement(field(&output.label.name, &output.label.unit, &output.label.doc));

@@ -44,8 +44,11 @@ fn independent_rows(rows: &Matrix) -> Vec<usize> {
     let mut rest = rows.clone();
     let mut taken = Vec::new();
     for _ in 0..n {
-        let square = |m: &Matrix, r: usize| Real::sum_of_products((0..n).map(|j| (m.get(r, j), m.get(r, j))), m.precision());
-        let Some(best) = (0..rest.rows()).filter(|r| !taken.contains(r)).max_by_key(|r| square(&rest, *r)) else { break };
+        let square =
+            |m: &Matrix, r: usize| Real::sum_of_products((0..n).map(|j| (m.get(r, j), m.get(r, j))), m.precision());
+        let Some(best) = (0..rest.rows()).filter(|r| !taken.contains(r)).max_by_key(|r| square(&rest, *r)) else {
+            break;
+        };
         let norm = square(&rest, best);
         taken.push(best);
         if norm.is_zero() {

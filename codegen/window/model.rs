@@ -80,7 +80,8 @@ impl Model {
         };
         let offset = Matrix::from_fn(n, 1, |i, _| value(&plant.offset[i]));
         let refused = || {
-            let error = Diagnostic::error(codes::DOMAIN, plant.span.clone(), "a constant of the plant has no usable value");
+            let error =
+                Diagnostic::error(codes::DOMAIN, plant.span.clone(), "a constant of the plant has no usable value");
             let label = format!("not at {} bits", precision.as_bits());
             vec![error.label(label).help("it is the difference of nearly equal constants: write its value as a number")]
         };
@@ -96,9 +97,13 @@ impl Model {
             let span = plant.sample_time.1.clone();
             let fastest = h.log2_abs() + a.max_abs().log2_abs();
             if fastest < 8.0 {
-                let far = Diagnostic::error(codes::OUT_OF_RANGE, span, "the plant's coefficients are too far apart to compute with")
-                    .label("scaling the states to similar sizes takes factors beyond 1e1233")
-                    .help("choose units in which all states and coefficients have similar sizes");
+                let far = Diagnostic::error(
+                    codes::OUT_OF_RANGE,
+                    span,
+                    "the plant's coefficients are too far apart to compute with",
+                )
+                .label("scaling the states to similar sizes takes factors beyond 1e1233")
+                .help("choose units in which all states and coefficients have similar sizes");
                 return vec![far];
             }
             let fast = Diagnostic::error(codes::OUT_OF_RANGE, span, "the plant is too fast for this sample time")

@@ -66,7 +66,8 @@ pub fn refuse_much_work(plant: &Plant, steps: usize, span: &Range<usize>, found:
     if steps > most {
         let message = "the window is too long for a plant of this size";
         let label = format!("{steps} samples of {n} states; at most {most} are designed");
-        let error = Diagnostic::error(codes::WINDOW_TOO_LONG, span.clone(), message).label(label).measured(count(steps));
+        let error =
+            Diagnostic::error(codes::WINDOW_TOO_LONG, span.clone(), message).label(label).measured(count(steps));
         found.push(error.help("a shorter window, a longer sample time, or fewer states"));
     }
 }

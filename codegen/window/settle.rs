@@ -46,12 +46,8 @@ pub fn settle(
         agreement = result.digits;
         let unbiased = fine.unbiasedness < 1e-30;
         if result.same_f64 && result.same_f32 && unbiased {
-            let numerics = Numerics {
-                digits: precision.as_digits(),
-                agreement,
-                condition: 0.0,
-                unbiasedness: fine.unbiasedness,
-            };
+            let numerics =
+                Numerics { digits: precision.as_digits(), agreement, condition: 0.0, unbiasedness: fine.unbiasedness };
             return Ok((functional, fine, numerics));
         }
         precision = precision.doubled();
@@ -100,7 +96,8 @@ impl Pass {
         self.settled.clear();
         for (c, f) in coarse.iter().zip(fine) {
             let gone = vanishes(c, f);
-            let (c, f) = if gone { (Real::zero(self.precision), Real::zero(self.precision)) } else { (c.clone(), f.clone()) };
+            let (c, f) =
+                if gone { (Real::zero(self.precision), Real::zero(self.precision)) } else { (c.clone(), f.clone()) };
             self.settled.push(Settled::round(&f));
             self.coarse.push(c);
             self.fine.push(f);
@@ -126,9 +123,17 @@ impl Pass {
         Prediction { states, held, end, constant: constant[0].unwrap_or_default() }
     }
 
-    fn functional(&mut self, coarse: &Exact, fine: &Exact, signals: &[Signal], delays: &[usize], steps: usize) -> Functional {
+    fn functional(
+        &mut self,
+        coarse: &Exact,
+        fine: &Exact,
+        signals: &[Signal],
+        delays: &[usize],
+        steps: usize,
+    ) -> Functional {
         let outputs = coarse.outputs.iter().zip(&fine.outputs).map(|(c, f)| self.weights(0, c, f)).collect();
-        let knowns = (0..signals.len()).map(|s| self.weights(fine.first[s], &coarse.knowns[s], &fine.knowns[s])).collect();
+        let knowns =
+            (0..signals.len()).map(|s| self.weights(fine.first[s], &coarse.knowns[s], &fine.knowns[s])).collect();
         let constant = self.each(&coarse.constant, &fine.constant).into_iter().map(Option::unwrap_or_default).collect();
         let prediction = coarse.prediction.iter().zip(&fine.prediction).map(|(c, f)| self.prediction(c, f)).collect();
         Functional { steps, delays: delays.to_vec(), signals: signals.to_vec(), outputs, knowns, constant, prediction }

@@ -530,34 +530,36 @@ static double inverted_cart_sin_f64(double x)
 
 /* What one part of a step hands to the next. */
 typedef struct {
+    double t12;
     uint32_t t13;
+    uint32_t t25;
     double t30;
     double t41;
     double t50;
-    uint32_t t59;
-    double t67;
-    double t68;
-    double t69;
-    double t70;
-    double t71;
-    double t72;
-    double t73;
-    double t74;
-    double t75;
-    double t76;
-    double t77;
-    double t78;
-    double t79;
-    double t80;
-    double t81;
-    double t82;
-    uint32_t t83;
-    double t137;
-    double t212;
-    double t213;
-    double t214;
-    double t215;
-    inverted_cart_status t222;
+    uint32_t t76;
+    double t84;
+    double t85;
+    double t86;
+    double t87;
+    double t88;
+    double t89;
+    double t90;
+    double t91;
+    double t92;
+    double t93;
+    double t94;
+    double t95;
+    double t96;
+    double t97;
+    double t98;
+    double t99;
+    uint32_t t100;
+    double t154;
+    double t229;
+    double t230;
+    double t231;
+    double t232;
+    inverted_cart_status t239;
 } inverted_cart_work;
 
 /* Part 1 of a step. */
@@ -575,20 +577,20 @@ static void inverted_cart_part_1(inverted_cart_state *state, const inverted_cart
     const double t9 = inputs->force;
     const int t10 = (-1e305 <= t9) && (t9 <= 1e305);
     const double t11 = state->force[t1];
-    const double t12 = t10 ? t9 : t11;
+    work->t12 = t10 ? t9 : t11;
 
     /* prediction, for a sample that is missing */
     work->t13 = (t1 < 20U) ? (t1 + 1U) : 0U;
     const double t14 = state->ahead_x;
-    const double t16 = 2.2720931399270927e-5 * t12;
+    const double t16 = 2.2720931399270927e-5 * work->t12;
     const double t17 = t14 + t16;
     const double t18 = state->ahead_angle;
-    const double t20 = 5.6805228175978704e-5 * t12;
+    const double t20 = 5.6805228175978704e-5 * work->t12;
     const double t21 = t18 + t20;
     const double t22 = state->x[t1];
     const double t23 = state->angle[t1];
-    const uint32_t t25 = state->calls;
-    const double t26 = (double)t25;
+    work->t25 = state->calls;
+    const double t26 = (double)work->t25;
     const double t28 = t26 * 0.005;
     const double t29 = 9.42477796076938 * t28;
     work->t30 = inverted_cart_sin_f64(t29);
@@ -610,200 +612,223 @@ static void inverted_cart_part_1(inverted_cart_state *state, const inverted_cart
     const int t48 = t8 || t46;
     const int t49 = !t48;
     work->t50 = t8 ? t7 : t47;
-    const int t51 = t6 && t8;
-    const int t52 = t40 || t49;
+    const uint32_t t51 = state->missed_x;
+    const int t52 = 20U < t51;
+    const int t53 = !t6;
+    const int t54 = t53 && t52;
+    const uint32_t t56 = (t51 < 21U) ? (t51 + 1U) : 21U;
+    const uint32_t t57 = t6 ? 0U : t56;
+    state->missed_x = t57;
+    const uint32_t t58 = state->missed_angle;
+    const int t59 = 20U < t58;
+    const int t60 = !t8;
+    const int t61 = t60 && t59;
+    const uint32_t t62 = (t58 < 21U) ? (t58 + 1U) : 21U;
+    const uint32_t t63 = t8 ? 0U : t62;
+    state->missed_angle = t63;
+    const int t64 = t54 || t61;
+    const int t65 = t54 && t61;
+    const int t66 = !t65;
+    const int t67 = t64 && t66;
+    const int t68 = t6 && t8;
+    const int t69 = t40 || t49;
+    const int t70 = t69 || t67;
 
     /* how much of the window is good */
-    const uint32_t t55 = (t2 < 21U) ? (t2 + 1U) : 21U;
-    const uint32_t t56 = t52 ? 0U : t55;
-    const uint32_t t57 = t10 ? t55 : 1U;
-    const uint32_t t58 = t51 ? t57 : 0U;
-    work->t59 = t4 ? t56 : t58;
-    state->count = work->t59;
-    const uint32_t t60 = state->coasting;
-    const uint32_t t61 = (t60 > 0U) ? (t60 - 1U) : 0U;
-    const uint32_t t62 = t10 ? t61 : 20U;
-    const uint32_t t64 = t51 ? t62 : 21U;
-    state->coasting = t64;
+    const uint32_t t72 = (t2 < 21U) ? (t2 + 1U) : 21U;
+    const uint32_t t73 = t70 ? 0U : t72;
+    const uint32_t t74 = t10 ? t72 : 1U;
+    const uint32_t t75 = t68 ? t74 : 0U;
+    work->t76 = t4 ? t73 : t75;
+    state->count = work->t76;
+    const uint32_t t77 = state->coasting;
+    const uint32_t t78 = (t77 > 0U) ? (t77 - 1U) : 0U;
+    const uint32_t t79 = t10 ? t78 : 20U;
+    const uint32_t t81 = t68 ? t79 : 21U;
+    state->coasting = t81;
+}
 
+/* Part 2 of a step. */
+static void inverted_cart_part_2(inverted_cart_state *state, const inverted_cart_work *work)
+{
     /* into the window */
     state->newest = work->t13;
     state->x[work->t13] = work->t41;
     state->angle[work->t13] = work->t50;
-    state->force[work->t13] = t12;
+    state->force[work->t13] = work->t12;
     state->sin_2_pi_1_5_t[work->t13] = work->t30;
-    const uint32_t t65 = (t25 < 4294967295U) ? (t25 + 1U) : 4294967295U;
-    state->calls = t65;
-}
-
-/* Part 2 of a step. */
-static void inverted_cart_part_2(const inverted_cart_state *state, inverted_cart_work *work)
-{
-    /* the sums over the window, newest sample first */
-    work->t67 = 0.0;
-    work->t68 = 0.0;
-    work->t69 = 0.0;
-    work->t70 = 0.0;
-    work->t71 = 0.0;
-    work->t72 = 0.0;
-    work->t73 = 0.0;
-    work->t74 = 0.0;
-    work->t75 = 0.0;
-    work->t76 = 0.0;
-    work->t77 = 0.0;
-    work->t78 = 0.0;
-    work->t79 = 0.0;
-    work->t80 = 0.0;
-    work->t81 = 0.0;
-    work->t82 = 0.0;
-    work->t83 = work->t13;
-    for (uint32_t row = 0U; row < 20U; ++row) {
-        const double *const gains = INVERTED_CART_WINDOW[row];
-        const double t84 = state->x[work->t83];
-        const double t85 = gains[0];
-        const double t86 = t85 * t84;
-        const double t87 = work->t67 + t86;
-        const double t88 = gains[1];
-        const double t89 = t88 * t84;
-        const double t90 = work->t71 + t89;
-        const double t91 = gains[2];
-        const double t92 = t91 * t84;
-        const double t93 = work->t75 + t92;
-        const double t94 = gains[3];
-        const double t95 = t94 * t84;
-        const double t96 = work->t79 + t95;
-        const double t97 = state->angle[work->t83];
-        const double t98 = gains[4];
-        const double t99 = t98 * t97;
-        const double t100 = work->t68 + t99;
-        const double t101 = gains[5];
-        const double t102 = t101 * t97;
-        const double t103 = work->t72 + t102;
-        const double t104 = gains[6];
-        const double t105 = t104 * t97;
-        const double t106 = work->t76 + t105;
-        const double t107 = gains[7];
-        const double t108 = t107 * t97;
-        const double t109 = work->t80 + t108;
-        const double t110 = state->force[work->t83];
-        const double t111 = gains[8];
-        const double t112 = t111 * t110;
-        const double t113 = work->t69 + t112;
-        const double t114 = gains[9];
-        const double t115 = t114 * t110;
-        const double t116 = work->t73 + t115;
-        const double t117 = gains[10];
-        const double t118 = t117 * t110;
-        const double t119 = work->t77 + t118;
-        const double t120 = gains[11];
-        const double t121 = t120 * t110;
-        const double t122 = work->t81 + t121;
-        const double t123 = state->sin_2_pi_1_5_t[work->t83];
-        const double t124 = gains[12];
-        const double t125 = t124 * t123;
-        const double t126 = work->t70 + t125;
-        const double t127 = gains[13];
-        const double t128 = t127 * t123;
-        const double t129 = work->t74 + t128;
-        const double t130 = gains[14];
-        const double t131 = t130 * t123;
-        const double t132 = work->t78 + t131;
-        const double t133 = gains[15];
-        const double t134 = t133 * t123;
-        const double t135 = work->t82 + t134;
-        const uint32_t t136 = ((work->t83 >= 1U) && (work->t83 < 21U)) ? (work->t83 - 1U) : 20U;
-        work->t67 = t87;
-        work->t68 = t100;
-        work->t69 = t113;
-        work->t70 = t126;
-        work->t71 = t90;
-        work->t72 = t103;
-        work->t73 = t116;
-        work->t74 = t129;
-        work->t75 = t93;
-        work->t76 = t106;
-        work->t77 = t119;
-        work->t78 = t132;
-        work->t79 = t96;
-        work->t80 = t109;
-        work->t81 = t122;
-        work->t82 = t135;
-        work->t83 = t136;
-    }
-    work->t137 = state->x[work->t83];
+    const uint32_t t82 = (work->t25 < 4294967295U) ? (work->t25 + 1U) : 4294967295U;
+    state->calls = t82;
 }
 
 /* Part 3 of a step. */
-static void inverted_cart_part_3(inverted_cart_state *state, inverted_cart_work *work)
+static void inverted_cart_part_3(const inverted_cart_state *state, inverted_cart_work *work)
 {
-    const double t139 = -0.08224545440090494 * work->t137;
-    const double t140 = work->t67 + t139;
-    const double t142 = 0.0009764349125977824 * work->t137;
-    const double t143 = work->t71 + t142;
-    const double t145 = -2.581171847748337 * work->t137;
-    const double t146 = work->t75 + t145;
-    const double t148 = 0.0580382979408871 * work->t137;
-    const double t149 = work->t79 + t148;
-    const double t150 = state->angle[work->t83];
-    const double t152 = -0.00086814384953036 * t150;
-    const double t153 = work->t68 + t152;
-    const double t155 = -0.08103952963358767 * t150;
-    const double t156 = work->t72 + t155;
-    const double t158 = -0.018605632411037774 * t150;
-    const double t159 = work->t76 + t158;
-    const double t161 = -2.611833809346272 * t150;
-    const double t162 = work->t80 + t161;
-    const double t163 = state->sin_2_pi_1_5_t[work->t83];
-    const double t165 = 1.085565634541814e-9 * t163;
-    const double t166 = work->t70 + t165;
-    const double t168 = 1.0130335653760034e-7 * t163;
-    const double t169 = work->t74 + t168;
-    const double t171 = 2.3268728104520693e-8 * t163;
-    const double t172 = work->t78 + t171;
-    const double t174 = 3.264919278386112e-6 * t163;
-    const double t175 = work->t82 + t174;
-    const double t176 = t140 + t153;
-    const double t177 = t176 + work->t69;
-    const double t178 = t177 + t166;
-    const double t179 = t143 + t156;
-    const double t180 = t179 + work->t73;
-    const double t181 = t180 + t169;
-    const double t182 = t146 + t159;
-    const double t183 = t182 + work->t77;
-    const double t184 = t183 + t172;
-    const double t185 = t149 + t162;
-    const double t186 = t185 + work->t81;
-    const double t187 = t186 + t175;
+    /* the sums over the window, newest sample first */
+    work->t84 = 0.0;
+    work->t85 = 0.0;
+    work->t86 = 0.0;
+    work->t87 = 0.0;
+    work->t88 = 0.0;
+    work->t89 = 0.0;
+    work->t90 = 0.0;
+    work->t91 = 0.0;
+    work->t92 = 0.0;
+    work->t93 = 0.0;
+    work->t94 = 0.0;
+    work->t95 = 0.0;
+    work->t96 = 0.0;
+    work->t97 = 0.0;
+    work->t98 = 0.0;
+    work->t99 = 0.0;
+    work->t100 = work->t13;
+    for (uint32_t row = 0U; row < 20U; ++row) {
+        const double *const gains = INVERTED_CART_WINDOW[row];
+        const double t101 = state->x[work->t100];
+        const double t102 = gains[0];
+        const double t103 = t102 * t101;
+        const double t104 = work->t84 + t103;
+        const double t105 = gains[1];
+        const double t106 = t105 * t101;
+        const double t107 = work->t88 + t106;
+        const double t108 = gains[2];
+        const double t109 = t108 * t101;
+        const double t110 = work->t92 + t109;
+        const double t111 = gains[3];
+        const double t112 = t111 * t101;
+        const double t113 = work->t96 + t112;
+        const double t114 = state->angle[work->t100];
+        const double t115 = gains[4];
+        const double t116 = t115 * t114;
+        const double t117 = work->t85 + t116;
+        const double t118 = gains[5];
+        const double t119 = t118 * t114;
+        const double t120 = work->t89 + t119;
+        const double t121 = gains[6];
+        const double t122 = t121 * t114;
+        const double t123 = work->t93 + t122;
+        const double t124 = gains[7];
+        const double t125 = t124 * t114;
+        const double t126 = work->t97 + t125;
+        const double t127 = state->force[work->t100];
+        const double t128 = gains[8];
+        const double t129 = t128 * t127;
+        const double t130 = work->t86 + t129;
+        const double t131 = gains[9];
+        const double t132 = t131 * t127;
+        const double t133 = work->t90 + t132;
+        const double t134 = gains[10];
+        const double t135 = t134 * t127;
+        const double t136 = work->t94 + t135;
+        const double t137 = gains[11];
+        const double t138 = t137 * t127;
+        const double t139 = work->t98 + t138;
+        const double t140 = state->sin_2_pi_1_5_t[work->t100];
+        const double t141 = gains[12];
+        const double t142 = t141 * t140;
+        const double t143 = work->t87 + t142;
+        const double t144 = gains[13];
+        const double t145 = t144 * t140;
+        const double t146 = work->t91 + t145;
+        const double t147 = gains[14];
+        const double t148 = t147 * t140;
+        const double t149 = work->t95 + t148;
+        const double t150 = gains[15];
+        const double t151 = t150 * t140;
+        const double t152 = work->t99 + t151;
+        const uint32_t t153 = ((work->t100 >= 1U) && (work->t100 < 21U)) ? (work->t100 - 1U) : 20U;
+        work->t84 = t104;
+        work->t85 = t117;
+        work->t86 = t130;
+        work->t87 = t143;
+        work->t88 = t107;
+        work->t89 = t120;
+        work->t90 = t133;
+        work->t91 = t146;
+        work->t92 = t110;
+        work->t93 = t123;
+        work->t94 = t136;
+        work->t95 = t149;
+        work->t96 = t113;
+        work->t97 = t126;
+        work->t98 = t139;
+        work->t99 = t152;
+        work->t100 = t153;
+    }
+    work->t154 = state->x[work->t100];
+}
+
+/* Part 4 of a step. */
+static void inverted_cart_part_4(inverted_cart_state *state, inverted_cart_work *work)
+{
+    const double t156 = -0.08224545440090494 * work->t154;
+    const double t157 = work->t84 + t156;
+    const double t159 = 0.0009764349125977824 * work->t154;
+    const double t160 = work->t88 + t159;
+    const double t162 = -2.581171847748337 * work->t154;
+    const double t163 = work->t92 + t162;
+    const double t165 = 0.0580382979408871 * work->t154;
+    const double t166 = work->t96 + t165;
+    const double t167 = state->angle[work->t100];
+    const double t169 = -0.00086814384953036 * t167;
+    const double t170 = work->t85 + t169;
+    const double t172 = -0.08103952963358767 * t167;
+    const double t173 = work->t89 + t172;
+    const double t175 = -0.018605632411037774 * t167;
+    const double t176 = work->t93 + t175;
+    const double t178 = -2.611833809346272 * t167;
+    const double t179 = work->t97 + t178;
+    const double t180 = state->sin_2_pi_1_5_t[work->t100];
+    const double t182 = 1.085565634541814e-9 * t180;
+    const double t183 = work->t87 + t182;
+    const double t185 = 1.0130335653760034e-7 * t180;
+    const double t186 = work->t91 + t185;
+    const double t188 = 2.3268728104520693e-8 * t180;
+    const double t189 = work->t95 + t188;
+    const double t191 = 3.264919278386112e-6 * t180;
+    const double t192 = work->t99 + t191;
+    const double t193 = t157 + t170;
+    const double t194 = t193 + work->t86;
+    const double t195 = t194 + t183;
+    const double t196 = t160 + t173;
+    const double t197 = t196 + work->t90;
+    const double t198 = t197 + t186;
+    const double t199 = t163 + t176;
+    const double t200 = t199 + work->t94;
+    const double t201 = t200 + t189;
+    const double t202 = t166 + t179;
+    const double t203 = t202 + work->t98;
+    const double t204 = t203 + t192;
 
     /* the next measurement, as far as it is known */
-    const double t189 = 3.3400799328113145e-5 * t181;
-    const double t191 = 0.004997728156787819 * t184;
-    const double t193 = 5.5670768679088146e-8 * t187;
-    const double t195 = 2.0877215753319605e-11 * work->t30;
-    const double t196 = t178 + t189;
-    const double t197 = t191 + t193;
-    const double t198 = t197 + t195;
-    const double t199 = t196 + t198;
-    state->ahead_x = t199;
-    const double t201 = 1.0003897725177409 * t181;
-    const double t203 = -5.6798979663364475e-6 * t184;
-    const double t205 = 0.005000649614524433 * t187;
-    const double t207 = 3.7502436046536086e-6 * work->t30;
-    const double t208 = t201 + t203;
-    const double t209 = t208 + t205;
-    const double t210 = t209 + t207;
-    state->ahead_angle = t210;
+    const double t206 = 3.3400799328113145e-5 * t198;
+    const double t208 = 0.004997728156787819 * t201;
+    const double t210 = 5.5670768679088146e-8 * t204;
+    const double t212 = 2.0877215753319605e-11 * work->t30;
+    const double t213 = t195 + t206;
+    const double t214 = t208 + t210;
+    const double t215 = t214 + t212;
+    const double t216 = t213 + t215;
+    state->ahead_x = t216;
+    const double t218 = 1.0003897725177409 * t198;
+    const double t220 = -5.6798979663364475e-6 * t201;
+    const double t222 = 0.005000649614524433 * t204;
+    const double t224 = 3.7502436046536086e-6 * work->t30;
+    const double t225 = t218 + t220;
+    const double t226 = t225 + t222;
+    const double t227 = t226 + t224;
+    state->ahead_angle = t227;
 
     /* the estimate; until the window is full, the start */
-    const int t211 = 20U < work->t59;
-    work->t212 = t211 ? t178 : work->t41;
-    work->t213 = t211 ? t181 : work->t50;
-    work->t214 = t211 ? t184 : 0.0;
-    work->t215 = t211 ? t187 : 0.0;
-    const uint32_t t216 = state->coasting;
-    const int t217 = t216 == 0U;
-    const inverted_cart_status t221 = t217 ? INVERTED_CART_CONVERGED : INVERTED_CART_COASTING;
-    work->t222 = t211 ? t221 : INVERTED_CART_CONVERGING;
+    const int t228 = 20U < work->t76;
+    work->t229 = t228 ? t195 : work->t41;
+    work->t230 = t228 ? t198 : work->t50;
+    work->t231 = t228 ? t201 : 0.0;
+    work->t232 = t228 ? t204 : 0.0;
+    const uint32_t t233 = state->coasting;
+    const int t234 = t233 == 0U;
+    const inverted_cart_status t238 = t234 ? INVERTED_CART_CONVERGED : INVERTED_CART_COASTING;
+    work->t239 = t228 ? t238 : INVERTED_CART_CONVERGING;
 }
 
 void inverted_cart_init(inverted_cart_state *state)
@@ -822,6 +847,8 @@ void inverted_cart_init(inverted_cart_state *state)
     }
     state->newest = 20U;
     state->count = 0U;
+    state->missed_x = 0U;
+    state->missed_angle = 0U;
     state->coasting = 0U;
     state->ahead_x = 0.0;
     state->ahead_angle = 0.0;
@@ -835,10 +862,11 @@ void inverted_cart_step(inverted_cart_state *state, const inverted_cart_measurem
     inverted_cart_part_1(state, measurements, inputs, &work);
     inverted_cart_part_2(state, &work);
     inverted_cart_part_3(state, &work);
+    inverted_cart_part_4(state, &work);
 
-    estimate->x = work.t212;
-    estimate->angle = work.t213;
-    estimate->dx = work.t214;
-    estimate->dangle = work.t215;
-    estimate->status = work.t222;
+    estimate->x = work.t229;
+    estimate->angle = work.t230;
+    estimate->dx = work.t231;
+    estimate->dangle = work.t232;
+    estimate->status = work.t239;
 }

@@ -21,8 +21,8 @@
  *   error bound, declared noise        1.695e-4  0.001616  0.003057  0.02954
  *
  * Cost       346 multiplications, 356 additions, 1 sin a call, the same for every call
- * Memory     state 712 bytes, constants 2560 bytes
- *            at most: stack 3740 bytes, flash 10160 bytes without elementary functions
+ * Memory     state 720 bytes, constants 2560 bytes
+ *            at most: stack 3876 bytes, flash 10736 bytes without elementary functions
  *
  * Contract:
  *  1. No heap, no recursion, no global or static mutable data, no file or console, no library.
@@ -82,6 +82,8 @@ typedef struct {
     double sin_2_pi_1_5_t[21]; /* sin(2*pi*1.5*t) by slot */
     uint32_t newest;           /* slot of age 0 */
     uint32_t count;            /* good samples in a row, then predicted ones too, at most 21 */
+    uint32_t missed_x;         /* samples of x missing in a row, at most a window */
+    uint32_t missed_angle;     /* samples of angle missing in a row, at most a window */
     uint32_t coasting;         /* calls until no replaced sample is in the window */
     double ahead_x;            /* the next x, as far as it is known */
     double ahead_angle;        /* the next angle, as far as it is known */

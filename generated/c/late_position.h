@@ -21,8 +21,8 @@
  *   error bound, declared noise         0.009914  0.06093  0.3557   0.04841
  *
  * Cost       643 multiplications, 654 additions, 1 tanh a call, the same for every call
- * Memory     state 692 bytes, constants 2368 bytes
- *            at most: stack 3060 bytes, flash 12508 bytes without elementary functions
+ * Memory     state 700 bytes, constants 2368 bytes
+ *            at most: stack 3204 bytes, flash 13100 bytes without elementary functions
  *
  * Contract:
  *  1. No heap, no recursion, no global or static mutable data, no file or console, no library.
@@ -82,6 +82,8 @@ typedef struct {
     float tanh_20_wheel[41];    /* tanh(20*wheel) by slot */
     uint32_t newest;            /* slot of age 0 */
     uint32_t count;             /* good samples in a row, then predicted ones too, at most 44 */
+    uint32_t missed_camera;     /* samples of camera missing in a row, at most a window */
+    uint32_t missed_wheel;      /* samples of wheel missing in a row, at most a window */
     uint32_t coasting;          /* calls until no replaced sample is in the window */
     float ahead_camera[4];      /* camera as it will arrive, by slot */
     uint32_t ahead_camera_slot; /* slot of the oldest of these */

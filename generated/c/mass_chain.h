@@ -20,8 +20,8 @@
  *   error bound, declared noise        2.656e-4  2.945e-4  2.615e-4  3.032e-4  5.109e-4  3.095e-4  0.003841  0.003712  0.004075  0.004861  0.006277  0.004194
  *
  * Cost       2955 multiplications, 2952 additions a call, the same for every call
- * Memory     state 1992 bytes, constants 23328 bytes
- *            at most: stack 6160 bytes, flash 37084 bytes without elementary functions
+ * Memory     state 2000 bytes, constants 23328 bytes
+ *            at most: stack 6360 bytes, flash 37936 bytes without elementary functions
  *
  * Contract:
  *  1. No heap, no recursion, no global or static mutable data, no file or console, no library.
@@ -84,16 +84,19 @@ typedef struct {
 
 /* The observer's whole state, owned by the caller; plain data, may be copied. */
 typedef struct {
-    double first[61];   /* samples of first by slot, m */
-    double third[61];   /* samples of third by slot, m */
-    double last[61];    /* samples of last by slot, m */
-    double push[61];    /* push by slot */
-    uint32_t newest;    /* slot of age 0 */
-    uint32_t count;     /* good samples in a row, then predicted ones too, at most 61 */
-    uint32_t coasting;  /* calls until no replaced sample is in the window */
-    double ahead_first; /* the next first, as far as it is known */
-    double ahead_third; /* the next third, as far as it is known */
-    double ahead_last;  /* the next last, as far as it is known */
+    double first[61];      /* samples of first by slot, m */
+    double third[61];      /* samples of third by slot, m */
+    double last[61];       /* samples of last by slot, m */
+    double push[61];       /* push by slot */
+    uint32_t newest;       /* slot of age 0 */
+    uint32_t count;        /* good samples in a row, then predicted ones too, at most 61 */
+    uint32_t missed_first; /* samples of first missing in a row, at most a window */
+    uint32_t missed_third; /* samples of third missing in a row, at most a window */
+    uint32_t missed_last;  /* samples of last missing in a row, at most a window */
+    uint32_t coasting;     /* calls until no replaced sample is in the window */
+    double ahead_first;    /* the next first, as far as it is known */
+    double ahead_third;    /* the next third, as far as it is known */
+    double ahead_last;     /* the next last, as far as it is known */
 } mass_chain_state;
 
 /* Back to the state before the first sample. */

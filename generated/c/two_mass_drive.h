@@ -26,8 +26,8 @@
  *   error bound, declared noise              5.455e-4     6.964e-4    0.1321       0.05294
  *
  * Cost       672 multiplications, 684 additions, 1 sin a call, the same for every call
- * Memory     state 1344 bytes, constants 5248 bytes
- *            at most: stack 3228 bytes, flash 11916 bytes without elementary functions
+ * Memory     state 1352 bytes, constants 5248 bytes
+ *            at most: stack 3364 bytes, flash 12492 bytes without elementary functions
  *
  * Contract:
  *  1. No heap, no recursion, no global or static mutable data, no file or console, no library.
@@ -81,15 +81,17 @@ typedef struct {
 
 /* The observer's whole state, owned by the caller; plain data, may be copied. */
 typedef struct {
-    double motor_angle[41];    /* samples of motor_angle by slot, rad */
-    double load_angle[41];     /* samples of load_angle by slot, rad */
-    double torque[41];         /* torque by slot */
-    double sin_load_angle[41]; /* sin(load_angle) by slot */
-    uint32_t newest;           /* slot of age 0 */
-    uint32_t count;            /* good samples in a row, then predicted ones too, at most 41 */
-    uint32_t coasting;         /* calls until no replaced sample is in the window */
-    double ahead_motor_angle;  /* the next motor_angle, as far as it is known */
-    double ahead_load_angle;   /* the next load_angle, as far as it is known */
+    double motor_angle[41];      /* samples of motor_angle by slot, rad */
+    double load_angle[41];       /* samples of load_angle by slot, rad */
+    double torque[41];           /* torque by slot */
+    double sin_load_angle[41];   /* sin(load_angle) by slot */
+    uint32_t newest;             /* slot of age 0 */
+    uint32_t count;              /* good samples in a row, then predicted ones too, at most 41 */
+    uint32_t missed_motor_angle; /* samples of motor_angle missing in a row, at most a window */
+    uint32_t missed_load_angle;  /* samples of load_angle missing in a row, at most a window */
+    uint32_t coasting;           /* calls until no replaced sample is in the window */
+    double ahead_motor_angle;    /* the next motor_angle, as far as it is known */
+    double ahead_load_angle;     /* the next load_angle, as far as it is known */
 } two_mass_drive_state;
 
 /* Back to the state before the first sample. */

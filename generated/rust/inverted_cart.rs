@@ -22,8 +22,8 @@
 //!   error bound, declared noise        1.695e-4  0.001616  0.003057  0.02954
 //!
 //! Cost       346 multiplications, 356 additions, 1 sin a call, the same for every call
-//! Memory     state 712 bytes, constants 2560 bytes
-//!            at most: stack 3740 bytes, flash 10160 bytes without elementary functions
+//! Memory     state 720 bytes, constants 2560 bytes
+//!            at most: stack 3876 bytes, flash 10736 bytes without elementary functions
 //!
 //! Contract:
 //!  1. No heap, no recursion, no global or static mutable data, no file or console, no library.
@@ -89,6 +89,10 @@ pub struct Observer {
     newest: usize,
     /// good samples in a row, then predicted ones too, at most 21
     count: usize,
+    /// samples of x missing in a row, at most a window
+    missed_x: usize,
+    /// samples of angle missing in a row, at most a window
+    missed_angle: usize,
     /// calls until no replaced sample is in the window
     coasting: usize,
     /// the next x, as far as it is known
@@ -282,67 +286,71 @@ static WINDOW: [[f64; 16]; 20] = [
 
 /// What one part of a step hands to the next.
 struct Work {
+    t12: f64,
     t13: usize,
+    t25: usize,
     t30: f64,
     t41: f64,
     t50: f64,
-    t59: usize,
-    t67: f64,
-    t68: f64,
-    t69: f64,
-    t70: f64,
-    t71: f64,
-    t72: f64,
-    t73: f64,
-    t74: f64,
-    t75: f64,
-    t76: f64,
-    t77: f64,
-    t78: f64,
-    t79: f64,
-    t80: f64,
-    t81: f64,
-    t82: f64,
-    t83: usize,
-    t137: f64,
-    t212: f64,
-    t213: f64,
-    t214: f64,
-    t215: f64,
-    t222: Status,
+    t76: usize,
+    t84: f64,
+    t85: f64,
+    t86: f64,
+    t87: f64,
+    t88: f64,
+    t89: f64,
+    t90: f64,
+    t91: f64,
+    t92: f64,
+    t93: f64,
+    t94: f64,
+    t95: f64,
+    t96: f64,
+    t97: f64,
+    t98: f64,
+    t99: f64,
+    t100: usize,
+    t154: f64,
+    t229: f64,
+    t230: f64,
+    t231: f64,
+    t232: f64,
+    t239: Status,
 }
 
 impl Work {
     /// Before the first part.
     const EMPTY: Self = Self {
+        t12: 0.0,
         t13: 0,
+        t25: 0,
         t30: 0.0,
         t41: 0.0,
         t50: 0.0,
-        t59: 0,
-        t67: 0.0,
-        t68: 0.0,
-        t69: 0.0,
-        t70: 0.0,
-        t71: 0.0,
-        t72: 0.0,
-        t73: 0.0,
-        t74: 0.0,
-        t75: 0.0,
-        t76: 0.0,
-        t77: 0.0,
-        t78: 0.0,
-        t79: 0.0,
-        t80: 0.0,
-        t81: 0.0,
-        t82: 0.0,
-        t83: 0,
-        t137: 0.0,
-        t212: 0.0,
-        t213: 0.0,
-        t214: 0.0,
-        t215: 0.0,
-        t222: Status::Converging,
+        t76: 0,
+        t84: 0.0,
+        t85: 0.0,
+        t86: 0.0,
+        t87: 0.0,
+        t88: 0.0,
+        t89: 0.0,
+        t90: 0.0,
+        t91: 0.0,
+        t92: 0.0,
+        t93: 0.0,
+        t94: 0.0,
+        t95: 0.0,
+        t96: 0.0,
+        t97: 0.0,
+        t98: 0.0,
+        t99: 0.0,
+        t100: 0,
+        t154: 0.0,
+        t229: 0.0,
+        t230: 0.0,
+        t231: 0.0,
+        t232: 0.0,
+        t239: Status::Converging,
     };
 }
 
@@ -357,6 +365,8 @@ impl Observer {
             sin_2_pi_1_5_t: [0.0; 21],
             newest: 20,
             count: 0,
+            missed_x: 0,
+            missed_angle: 0,
             coasting: 0,
             ahead_x: 0.0,
             ahead_angle: 0.0,
@@ -374,14 +384,15 @@ impl Observer {
     pub fn step(&mut self, measurements: Measurements, inputs: Inputs) -> Estimate {
         let mut work = Work::EMPTY;
         self.part_1(measurements, inputs, &mut work);
-        self.part_2(&mut work);
+        self.part_2(&work);
         self.part_3(&mut work);
+        self.part_4(&mut work);
         Estimate {
-            x: work.t212,
-            angle: work.t213,
-            dx: work.t214,
-            dangle: work.t215,
-            status: work.t222,
+            x: work.t229,
+            angle: work.t230,
+            dx: work.t231,
+            dangle: work.t232,
+            status: work.t239,
         }
     }
 
@@ -399,20 +410,20 @@ impl Observer {
         let t9 = inputs.force;
         let t10 = (-1e305..=1e305).contains(&t9);
         let t11 = self.force[t1];
-        let t12 = if t10 { t9 } else { t11 };
+        work.t12 = if t10 { t9 } else { t11 };
 
         // prediction, for a sample that is missing
         work.t13 = if t1 < 20 { t1 + 1 } else { 0 };
         let t14 = self.ahead_x;
-        let t16 = 2.272_093_139_927_092_7e-5 * t12;
+        let t16 = 2.272_093_139_927_092_7e-5 * work.t12;
         let t17 = t14 + t16;
         let t18 = self.ahead_angle;
-        let t20 = 5.680_522_817_597_870_4e-5 * t12;
+        let t20 = 5.680_522_817_597_870_4e-5 * work.t12;
         let t21 = t18 + t20;
         let t22 = self.x[t1];
         let t23 = self.angle[t1];
-        let t25 = self.calls;
-        let t26 = ::deadbeat::math::f64_from_index(t25);
+        work.t25 = self.calls;
+        let t26 = ::deadbeat::math::f64_from_index(work.t25);
         let t28 = t26 * 0.005;
         let t29 = 9.424_777_960_769_38 * t28;
         work.t30 = ::deadbeat::math::sin_f64(t29);
@@ -434,197 +445,219 @@ impl Observer {
         let t48 = t8 || t46;
         let t49 = !t48;
         work.t50 = if t8 { t7 } else { t47 };
-        let t51 = t6 && t8;
-        let t52 = t40 || t49;
+        let t51 = self.missed_x;
+        let t52 = 20 < t51;
+        let t53 = !t6;
+        let t54 = t53 && t52;
+        let t56 = if t51 < 21 { t51 + 1 } else { 21 };
+        let t57 = if t6 { 0 } else { t56 };
+        self.missed_x = t57;
+        let t58 = self.missed_angle;
+        let t59 = 20 < t58;
+        let t60 = !t8;
+        let t61 = t60 && t59;
+        let t62 = if t58 < 21 { t58 + 1 } else { 21 };
+        let t63 = if t8 { 0 } else { t62 };
+        self.missed_angle = t63;
+        let t64 = t54 || t61;
+        let t65 = t54 && t61;
+        let t66 = !t65;
+        let t67 = t64 && t66;
+        let t68 = t6 && t8;
+        let t69 = t40 || t49;
+        let t70 = t69 || t67;
 
         // how much of the window is good
-        let t55 = if t2 < 21 { t2 + 1 } else { 21 };
-        let t56 = if t52 { 0 } else { t55 };
-        let t57 = if t10 { t55 } else { 1 };
-        let t58 = if t51 { t57 } else { 0 };
-        work.t59 = if t4 { t56 } else { t58 };
-        self.count = work.t59;
-        let t60 = self.coasting;
-        let t61 = t60.saturating_sub(1);
-        let t62 = if t10 { t61 } else { 20 };
-        let t64 = if t51 { t62 } else { 21 };
-        self.coasting = t64;
+        let t72 = if t2 < 21 { t2 + 1 } else { 21 };
+        let t73 = if t70 { 0 } else { t72 };
+        let t74 = if t10 { t72 } else { 1 };
+        let t75 = if t68 { t74 } else { 0 };
+        work.t76 = if t4 { t73 } else { t75 };
+        self.count = work.t76;
+        let t77 = self.coasting;
+        let t78 = t77.saturating_sub(1);
+        let t79 = if t10 { t78 } else { 20 };
+        let t81 = if t68 { t79 } else { 21 };
+        self.coasting = t81;
+    }
 
+    /// Part 2 of a step.
+    fn part_2(&mut self, work: &Work) {
         // into the window
         self.newest = work.t13;
         self.x[work.t13.min(20)] = work.t41;
         self.angle[work.t13.min(20)] = work.t50;
-        self.force[work.t13.min(20)] = t12;
+        self.force[work.t13.min(20)] = work.t12;
         self.sin_2_pi_1_5_t[work.t13.min(20)] = work.t30;
-        let t65 = if t25 < 4_294_967_295 { t25 + 1 } else { 4_294_967_295 };
-        self.calls = t65;
-    }
-
-    /// Part 2 of a step.
-    fn part_2(&self, work: &mut Work) {
-        // the sums over the window, newest sample first
-        work.t67 = 0.0;
-        work.t68 = 0.0;
-        work.t69 = 0.0;
-        work.t70 = 0.0;
-        work.t71 = 0.0;
-        work.t72 = 0.0;
-        work.t73 = 0.0;
-        work.t74 = 0.0;
-        work.t75 = 0.0;
-        work.t76 = 0.0;
-        work.t77 = 0.0;
-        work.t78 = 0.0;
-        work.t79 = 0.0;
-        work.t80 = 0.0;
-        work.t81 = 0.0;
-        work.t82 = 0.0;
-        work.t83 = work.t13;
-        for gains in &WINDOW {
-            let t84 = self.x[work.t83.min(20)];
-            let t85 = gains[0];
-            let t86 = t85 * t84;
-            let t87 = work.t67 + t86;
-            let t88 = gains[1];
-            let t89 = t88 * t84;
-            let t90 = work.t71 + t89;
-            let t91 = gains[2];
-            let t92 = t91 * t84;
-            let t93 = work.t75 + t92;
-            let t94 = gains[3];
-            let t95 = t94 * t84;
-            let t96 = work.t79 + t95;
-            let t97 = self.angle[work.t83.min(20)];
-            let t98 = gains[4];
-            let t99 = t98 * t97;
-            let t100 = work.t68 + t99;
-            let t101 = gains[5];
-            let t102 = t101 * t97;
-            let t103 = work.t72 + t102;
-            let t104 = gains[6];
-            let t105 = t104 * t97;
-            let t106 = work.t76 + t105;
-            let t107 = gains[7];
-            let t108 = t107 * t97;
-            let t109 = work.t80 + t108;
-            let t110 = self.force[work.t83.min(20)];
-            let t111 = gains[8];
-            let t112 = t111 * t110;
-            let t113 = work.t69 + t112;
-            let t114 = gains[9];
-            let t115 = t114 * t110;
-            let t116 = work.t73 + t115;
-            let t117 = gains[10];
-            let t118 = t117 * t110;
-            let t119 = work.t77 + t118;
-            let t120 = gains[11];
-            let t121 = t120 * t110;
-            let t122 = work.t81 + t121;
-            let t123 = self.sin_2_pi_1_5_t[work.t83.min(20)];
-            let t124 = gains[12];
-            let t125 = t124 * t123;
-            let t126 = work.t70 + t125;
-            let t127 = gains[13];
-            let t128 = t127 * t123;
-            let t129 = work.t74 + t128;
-            let t130 = gains[14];
-            let t131 = t130 * t123;
-            let t132 = work.t78 + t131;
-            let t133 = gains[15];
-            let t134 = t133 * t123;
-            let t135 = work.t82 + t134;
-            let t136 = work.t83.wrapping_sub(1).min(20);
-            work.t67 = t87;
-            work.t68 = t100;
-            work.t69 = t113;
-            work.t70 = t126;
-            work.t71 = t90;
-            work.t72 = t103;
-            work.t73 = t116;
-            work.t74 = t129;
-            work.t75 = t93;
-            work.t76 = t106;
-            work.t77 = t119;
-            work.t78 = t132;
-            work.t79 = t96;
-            work.t80 = t109;
-            work.t81 = t122;
-            work.t82 = t135;
-            work.t83 = t136;
-        }
-        work.t137 = self.x[work.t83.min(20)];
+        let t82 = if work.t25 < 4_294_967_295 { work.t25 + 1 } else { 4_294_967_295 };
+        self.calls = t82;
     }
 
     /// Part 3 of a step.
-    fn part_3(&mut self, work: &mut Work) {
-        let t139 = -0.082_245_454_400_904_94 * work.t137;
-        let t140 = work.t67 + t139;
-        let t142 = 0.000_976_434_912_597_782_4 * work.t137;
-        let t143 = work.t71 + t142;
-        let t145 = -2.581_171_847_748_337 * work.t137;
-        let t146 = work.t75 + t145;
-        let t148 = 0.058_038_297_940_887_1 * work.t137;
-        let t149 = work.t79 + t148;
-        let t150 = self.angle[work.t83.min(20)];
-        let t152 = -0.000_868_143_849_530_36 * t150;
-        let t153 = work.t68 + t152;
-        let t155 = -0.081_039_529_633_587_67 * t150;
-        let t156 = work.t72 + t155;
-        let t158 = -0.018_605_632_411_037_774 * t150;
-        let t159 = work.t76 + t158;
-        let t161 = -2.611_833_809_346_272 * t150;
-        let t162 = work.t80 + t161;
-        let t163 = self.sin_2_pi_1_5_t[work.t83.min(20)];
-        let t165 = 1.085_565_634_541_814e-9 * t163;
-        let t166 = work.t70 + t165;
-        let t168 = 1.013_033_565_376_003_4e-7 * t163;
-        let t169 = work.t74 + t168;
-        let t171 = 2.326_872_810_452_069_3e-8 * t163;
-        let t172 = work.t78 + t171;
-        let t174 = 3.264_919_278_386_112e-6 * t163;
-        let t175 = work.t82 + t174;
-        let t176 = t140 + t153;
-        let t177 = t176 + work.t69;
-        let t178 = t177 + t166;
-        let t179 = t143 + t156;
-        let t180 = t179 + work.t73;
-        let t181 = t180 + t169;
-        let t182 = t146 + t159;
-        let t183 = t182 + work.t77;
-        let t184 = t183 + t172;
-        let t185 = t149 + t162;
-        let t186 = t185 + work.t81;
-        let t187 = t186 + t175;
+    fn part_3(&self, work: &mut Work) {
+        // the sums over the window, newest sample first
+        work.t84 = 0.0;
+        work.t85 = 0.0;
+        work.t86 = 0.0;
+        work.t87 = 0.0;
+        work.t88 = 0.0;
+        work.t89 = 0.0;
+        work.t90 = 0.0;
+        work.t91 = 0.0;
+        work.t92 = 0.0;
+        work.t93 = 0.0;
+        work.t94 = 0.0;
+        work.t95 = 0.0;
+        work.t96 = 0.0;
+        work.t97 = 0.0;
+        work.t98 = 0.0;
+        work.t99 = 0.0;
+        work.t100 = work.t13;
+        for gains in &WINDOW {
+            let t101 = self.x[work.t100.min(20)];
+            let t102 = gains[0];
+            let t103 = t102 * t101;
+            let t104 = work.t84 + t103;
+            let t105 = gains[1];
+            let t106 = t105 * t101;
+            let t107 = work.t88 + t106;
+            let t108 = gains[2];
+            let t109 = t108 * t101;
+            let t110 = work.t92 + t109;
+            let t111 = gains[3];
+            let t112 = t111 * t101;
+            let t113 = work.t96 + t112;
+            let t114 = self.angle[work.t100.min(20)];
+            let t115 = gains[4];
+            let t116 = t115 * t114;
+            let t117 = work.t85 + t116;
+            let t118 = gains[5];
+            let t119 = t118 * t114;
+            let t120 = work.t89 + t119;
+            let t121 = gains[6];
+            let t122 = t121 * t114;
+            let t123 = work.t93 + t122;
+            let t124 = gains[7];
+            let t125 = t124 * t114;
+            let t126 = work.t97 + t125;
+            let t127 = self.force[work.t100.min(20)];
+            let t128 = gains[8];
+            let t129 = t128 * t127;
+            let t130 = work.t86 + t129;
+            let t131 = gains[9];
+            let t132 = t131 * t127;
+            let t133 = work.t90 + t132;
+            let t134 = gains[10];
+            let t135 = t134 * t127;
+            let t136 = work.t94 + t135;
+            let t137 = gains[11];
+            let t138 = t137 * t127;
+            let t139 = work.t98 + t138;
+            let t140 = self.sin_2_pi_1_5_t[work.t100.min(20)];
+            let t141 = gains[12];
+            let t142 = t141 * t140;
+            let t143 = work.t87 + t142;
+            let t144 = gains[13];
+            let t145 = t144 * t140;
+            let t146 = work.t91 + t145;
+            let t147 = gains[14];
+            let t148 = t147 * t140;
+            let t149 = work.t95 + t148;
+            let t150 = gains[15];
+            let t151 = t150 * t140;
+            let t152 = work.t99 + t151;
+            let t153 = work.t100.wrapping_sub(1).min(20);
+            work.t84 = t104;
+            work.t85 = t117;
+            work.t86 = t130;
+            work.t87 = t143;
+            work.t88 = t107;
+            work.t89 = t120;
+            work.t90 = t133;
+            work.t91 = t146;
+            work.t92 = t110;
+            work.t93 = t123;
+            work.t94 = t136;
+            work.t95 = t149;
+            work.t96 = t113;
+            work.t97 = t126;
+            work.t98 = t139;
+            work.t99 = t152;
+            work.t100 = t153;
+        }
+        work.t154 = self.x[work.t100.min(20)];
+    }
+
+    /// Part 4 of a step.
+    fn part_4(&mut self, work: &mut Work) {
+        let t156 = -0.082_245_454_400_904_94 * work.t154;
+        let t157 = work.t84 + t156;
+        let t159 = 0.000_976_434_912_597_782_4 * work.t154;
+        let t160 = work.t88 + t159;
+        let t162 = -2.581_171_847_748_337 * work.t154;
+        let t163 = work.t92 + t162;
+        let t165 = 0.058_038_297_940_887_1 * work.t154;
+        let t166 = work.t96 + t165;
+        let t167 = self.angle[work.t100.min(20)];
+        let t169 = -0.000_868_143_849_530_36 * t167;
+        let t170 = work.t85 + t169;
+        let t172 = -0.081_039_529_633_587_67 * t167;
+        let t173 = work.t89 + t172;
+        let t175 = -0.018_605_632_411_037_774 * t167;
+        let t176 = work.t93 + t175;
+        let t178 = -2.611_833_809_346_272 * t167;
+        let t179 = work.t97 + t178;
+        let t180 = self.sin_2_pi_1_5_t[work.t100.min(20)];
+        let t182 = 1.085_565_634_541_814e-9 * t180;
+        let t183 = work.t87 + t182;
+        let t185 = 1.013_033_565_376_003_4e-7 * t180;
+        let t186 = work.t91 + t185;
+        let t188 = 2.326_872_810_452_069_3e-8 * t180;
+        let t189 = work.t95 + t188;
+        let t191 = 3.264_919_278_386_112e-6 * t180;
+        let t192 = work.t99 + t191;
+        let t193 = t157 + t170;
+        let t194 = t193 + work.t86;
+        let t195 = t194 + t183;
+        let t196 = t160 + t173;
+        let t197 = t196 + work.t90;
+        let t198 = t197 + t186;
+        let t199 = t163 + t176;
+        let t200 = t199 + work.t94;
+        let t201 = t200 + t189;
+        let t202 = t166 + t179;
+        let t203 = t202 + work.t98;
+        let t204 = t203 + t192;
 
         // the next measurement, as far as it is known
-        let t189 = 3.340_079_932_811_314_5e-5 * t181;
-        let t191 = 0.004_997_728_156_787_819 * t184;
-        let t193 = 5.567_076_867_908_814_6e-8 * t187;
-        let t195 = 2.087_721_575_331_960_5e-11 * work.t30;
-        let t196 = t178 + t189;
-        let t197 = t191 + t193;
-        let t198 = t197 + t195;
-        let t199 = t196 + t198;
-        self.ahead_x = t199;
-        let t201 = 1.000_389_772_517_740_9 * t181;
-        let t203 = -5.679_897_966_336_447_5e-6 * t184;
-        let t205 = 0.005_000_649_614_524_433 * t187;
-        let t207 = 3.750_243_604_653_608_6e-6 * work.t30;
-        let t208 = t201 + t203;
-        let t209 = t208 + t205;
-        let t210 = t209 + t207;
-        self.ahead_angle = t210;
+        let t206 = 3.340_079_932_811_314_5e-5 * t198;
+        let t208 = 0.004_997_728_156_787_819 * t201;
+        let t210 = 5.567_076_867_908_814_6e-8 * t204;
+        let t212 = 2.087_721_575_331_960_5e-11 * work.t30;
+        let t213 = t195 + t206;
+        let t214 = t208 + t210;
+        let t215 = t214 + t212;
+        let t216 = t213 + t215;
+        self.ahead_x = t216;
+        let t218 = 1.000_389_772_517_740_9 * t198;
+        let t220 = -5.679_897_966_336_447_5e-6 * t201;
+        let t222 = 0.005_000_649_614_524_433 * t204;
+        let t224 = 3.750_243_604_653_608_6e-6 * work.t30;
+        let t225 = t218 + t220;
+        let t226 = t225 + t222;
+        let t227 = t226 + t224;
+        self.ahead_angle = t227;
 
         // the estimate; until the window is full, the start
-        let t211 = 20 < work.t59;
-        work.t212 = if t211 { t178 } else { work.t41 };
-        work.t213 = if t211 { t181 } else { work.t50 };
-        work.t214 = if t211 { t184 } else { 0.0 };
-        work.t215 = if t211 { t187 } else { 0.0 };
-        let t216 = self.coasting;
-        let t217 = t216 == 0;
-        let t221 = if t217 { Status::Converged } else { Status::Coasting };
-        work.t222 = if t211 { t221 } else { Status::Converging };
+        let t228 = 20 < work.t76;
+        work.t229 = if t228 { t195 } else { work.t41 };
+        work.t230 = if t228 { t198 } else { work.t50 };
+        work.t231 = if t228 { t201 } else { 0.0 };
+        work.t232 = if t228 { t204 } else { 0.0 };
+        let t233 = self.coasting;
+        let t234 = t233 == 0;
+        let t238 = if t234 { Status::Converged } else { Status::Coasting };
+        work.t239 = if t228 { t238 } else { Status::Converging };
     }
 }
 

@@ -22,8 +22,8 @@
 //!   error bound, declared noise         0.009914  0.06093  0.3557   0.04841
 //!
 //! Cost       643 multiplications, 654 additions, 1 tanh a call, the same for every call
-//! Memory     state 692 bytes, constants 2368 bytes
-//!            at most: stack 3060 bytes, flash 12508 bytes without elementary functions
+//! Memory     state 700 bytes, constants 2368 bytes
+//!            at most: stack 3204 bytes, flash 13100 bytes without elementary functions
 //!
 //! Contract:
 //!  1. No heap, no recursion, no global or static mutable data, no file or console, no library.
@@ -89,6 +89,10 @@ pub struct Observer {
     newest: usize,
     /// good samples in a row, then predicted ones too, at most 44
     count: usize,
+    /// samples of camera missing in a row, at most a window
+    missed_camera: usize,
+    /// samples of wheel missing in a row, at most a window
+    missed_wheel: usize,
     /// calls until no replaced sample is in the window
     coasting: usize,
     /// camera as it will arrive, by slot
@@ -329,95 +333,99 @@ static WINDOW: [[f32; 16]; 37] = [
 
 /// What one part of a step hands to the next.
 struct Work {
+    t12: f32,
     t13: usize,
     t15: usize,
     t27: f32,
+    t36: f32,
     t46: f32,
-    t55: usize,
-    t66: f32,
-    t67: f32,
-    t68: f32,
-    t69: f32,
-    t70: f32,
-    t71: f32,
-    t72: f32,
-    t73: f32,
-    t74: f32,
-    t75: f32,
-    t76: f32,
-    t77: f32,
-    t78: f32,
-    t79: f32,
-    t80: f32,
-    t81: f32,
-    t82: usize,
-    t136: f32,
-    t228: f32,
-    t232: f32,
-    t235: f32,
-    t238: f32,
-    t241: f32,
-    t245: f32,
-    t248: f32,
-    t251: f32,
-    t254: f32,
-    t255: usize,
+    t73: usize,
+    t84: f32,
+    t85: f32,
+    t86: f32,
+    t87: f32,
+    t88: f32,
+    t89: f32,
+    t90: f32,
+    t91: f32,
+    t92: f32,
+    t93: f32,
+    t94: f32,
+    t95: f32,
+    t96: f32,
+    t97: f32,
+    t98: f32,
+    t99: f32,
+    t100: usize,
+    t154: f32,
+    t246: f32,
+    t250: f32,
+    t253: f32,
     t256: f32,
     t259: f32,
-    t262: f32,
-    t265: f32,
-    t307: f32,
-    t308: f32,
-    t309: f32,
-    t310: f32,
-    t317: Status,
+    t263: f32,
+    t266: f32,
+    t269: f32,
+    t272: f32,
+    t273: usize,
+    t274: f32,
+    t277: f32,
+    t280: f32,
+    t283: f32,
+    t325: f32,
+    t326: f32,
+    t327: f32,
+    t328: f32,
+    t335: Status,
 }
 
 impl Work {
     /// Before the first part.
     const EMPTY: Self = Self {
+        t12: 0.0,
         t13: 0,
         t15: 0,
         t27: 0.0,
+        t36: 0.0,
         t46: 0.0,
-        t55: 0,
-        t66: 0.0,
-        t67: 0.0,
-        t68: 0.0,
-        t69: 0.0,
-        t70: 0.0,
-        t71: 0.0,
-        t72: 0.0,
-        t73: 0.0,
-        t74: 0.0,
-        t75: 0.0,
-        t76: 0.0,
-        t77: 0.0,
-        t78: 0.0,
-        t79: 0.0,
-        t80: 0.0,
-        t81: 0.0,
-        t82: 0,
-        t136: 0.0,
-        t228: 0.0,
-        t232: 0.0,
-        t235: 0.0,
-        t238: 0.0,
-        t241: 0.0,
-        t245: 0.0,
-        t248: 0.0,
-        t251: 0.0,
-        t254: 0.0,
-        t255: 0,
+        t73: 0,
+        t84: 0.0,
+        t85: 0.0,
+        t86: 0.0,
+        t87: 0.0,
+        t88: 0.0,
+        t89: 0.0,
+        t90: 0.0,
+        t91: 0.0,
+        t92: 0.0,
+        t93: 0.0,
+        t94: 0.0,
+        t95: 0.0,
+        t96: 0.0,
+        t97: 0.0,
+        t98: 0.0,
+        t99: 0.0,
+        t100: 0,
+        t154: 0.0,
+        t246: 0.0,
+        t250: 0.0,
+        t253: 0.0,
         t256: 0.0,
         t259: 0.0,
-        t262: 0.0,
-        t265: 0.0,
-        t307: 0.0,
-        t308: 0.0,
-        t309: 0.0,
-        t310: 0.0,
-        t317: Status::Converging,
+        t263: 0.0,
+        t266: 0.0,
+        t269: 0.0,
+        t272: 0.0,
+        t273: 0,
+        t274: 0.0,
+        t277: 0.0,
+        t280: 0.0,
+        t283: 0.0,
+        t325: 0.0,
+        t326: 0.0,
+        t327: 0.0,
+        t328: 0.0,
+        t335: Status::Converging,
     };
 }
 
@@ -432,6 +440,8 @@ impl Observer {
             tanh_20_wheel: [0.0; 41],
             newest: 40,
             count: 0,
+            missed_camera: 0,
+            missed_wheel: 0,
             coasting: 0,
             ahead_camera: [0.0; 4],
             ahead_camera_slot: 0,
@@ -449,15 +459,16 @@ impl Observer {
     pub fn step(&mut self, measurements: Measurements, inputs: Inputs) -> Estimate {
         let mut work = Work::EMPTY;
         self.part_1(measurements, inputs, &mut work);
-        self.part_2(&mut work);
+        self.part_2(&work);
         self.part_3(&mut work);
         self.part_4(&mut work);
+        self.part_5(&mut work);
         Estimate {
-            position: work.t307,
-            speed: work.t308,
-            slope: work.t309,
-            wheel: work.t310,
-            status: work.t317,
+            position: work.t325,
+            speed: work.t326,
+            slope: work.t327,
+            wheel: work.t328,
+            status: work.t335,
         }
     }
 
@@ -475,7 +486,7 @@ impl Observer {
         let t9 = inputs.force;
         let t10 = (-1e36..=1e36).contains(&t9);
         let t11 = self.force[t1];
-        let t12 = if t10 { t9 } else { t11 };
+        work.t12 = if t10 { t9 } else { t11 };
 
         // prediction, for a sample that is missing
         work.t13 = if t1 < 40 { t1 + 1 } else { 0 };
@@ -483,7 +494,7 @@ impl Observer {
         work.t15 = t14.min(3);
         let t16 = self.ahead_camera[work.t15.min(3)];
         let t17 = self.ahead_wheel;
-        let t19 = 0.000_542_759_1 * t12;
+        let t19 = 0.000_542_759_1 * work.t12;
         let t20 = t17 + t19;
         let t21 = self.camera[t1];
         let t22 = self.wheel[t1];
@@ -498,7 +509,7 @@ impl Observer {
         let t33 = if t32 { t16 } else { t21 };
         let t34 = t6 || t32;
         let t35 = !t34;
-        let t36 = if t6 { t5 } else { t33 };
+        work.t36 = if t6 { t5 } else { t33 };
         let t37 = work.t27 - t28;
         let t39 = -0.000_185_480_31 * t37;
         let t40 = t20 + t39;
@@ -508,271 +519,293 @@ impl Observer {
         let t44 = t8 || t42;
         let t45 = !t44;
         work.t46 = if t8 { t7 } else { t43 };
-        let t47 = t8 && t6;
-        let t48 = t35 || t45;
+        let t47 = self.missed_camera;
+        let t49 = 36 < t47;
+        let t50 = !t6;
+        let t51 = t50 && t49;
+        let t53 = if t47 < 37 { t47 + 1 } else { 37 };
+        let t54 = if t6 { 0 } else { t53 };
+        self.missed_camera = t54;
+        let t55 = self.missed_wheel;
+        let t56 = 40 < t55;
+        let t57 = !t8;
+        let t58 = t57 && t56;
+        let t59 = if t55 < 41 { t55 + 1 } else { 41 };
+        let t60 = if t8 { 0 } else { t59 };
+        self.missed_wheel = t60;
+        let t61 = t51 || t58;
+        let t62 = t51 && t58;
+        let t63 = !t62;
+        let t64 = t61 && t63;
+        let t65 = t8 && t6;
+        let t66 = t35 || t45;
+        let t67 = t66 || t64;
 
         // how much of the window is good
-        let t51 = if t2 < 44 { t2 + 1 } else { 44 };
-        let t52 = if t48 { 0 } else { t51 };
-        let t53 = if t10 { t51 } else { 1 };
-        let t54 = if t47 { t53 } else { 0 };
-        work.t55 = if t4 { t52 } else { t54 };
-        self.count = work.t55;
-        let t56 = self.coasting;
-        let t57 = t56.saturating_sub(1);
-        let t58 = if t10 { t57 } else { 40 };
-        let t60 = t58 < 37;
-        let t61 = if t60 { 37 } else { t58 };
-        let t62 = if t6 { t58 } else { t61 };
-        let t64 = if t8 { t62 } else { 41 };
-        self.coasting = t64;
-
-        // into the window
-        self.newest = work.t13;
-        self.camera[work.t13.min(40)] = t36;
-        self.wheel[work.t13.min(40)] = work.t46;
-        self.force[work.t13.min(40)] = t12;
-        self.tanh_20_wheel[work.t13.min(40)] = work.t27;
+        let t69 = if t2 < 44 { t2 + 1 } else { 44 };
+        let t70 = if t67 { 0 } else { t69 };
+        let t71 = if t10 { t69 } else { 1 };
+        let t72 = if t65 { t71 } else { 0 };
+        work.t73 = if t4 { t70 } else { t72 };
+        self.count = work.t73;
+        let t74 = self.coasting;
+        let t75 = t74.saturating_sub(1);
+        let t76 = if t10 { t75 } else { 40 };
+        let t78 = t76 < 37;
+        let t79 = if t78 { 37 } else { t76 };
+        let t80 = if t6 { t76 } else { t79 };
+        let t82 = if t8 { t80 } else { 41 };
+        self.coasting = t82;
     }
 
     /// Part 2 of a step.
-    fn part_2(&self, work: &mut Work) {
-        // the sums over the window, newest sample first
-        work.t66 = 0.0;
-        work.t67 = 0.0;
-        work.t68 = 0.0;
-        work.t69 = 0.0;
-        work.t70 = 0.0;
-        work.t71 = 0.0;
-        work.t72 = 0.0;
-        work.t73 = 0.0;
-        work.t74 = 0.0;
-        work.t75 = 0.0;
-        work.t76 = 0.0;
-        work.t77 = 0.0;
-        work.t78 = 0.0;
-        work.t79 = 0.0;
-        work.t80 = 0.0;
-        work.t81 = 0.0;
-        work.t82 = work.t13;
-        for gains in &WINDOW {
-            let t83 = self.camera[work.t82.min(40)];
-            let t84 = gains[0];
-            let t85 = t84 * t83;
-            let t86 = work.t66 + t85;
-            let t87 = gains[1];
-            let t88 = t87 * t83;
-            let t89 = work.t70 + t88;
-            let t90 = gains[2];
-            let t91 = t90 * t83;
-            let t92 = work.t74 + t91;
-            let t93 = gains[3];
-            let t94 = t93 * t83;
-            let t95 = work.t78 + t94;
-            let t96 = self.wheel[work.t82.min(40)];
-            let t97 = gains[4];
-            let t98 = t97 * t96;
-            let t99 = work.t67 + t98;
-            let t100 = gains[5];
-            let t101 = t100 * t96;
-            let t102 = work.t71 + t101;
-            let t103 = gains[6];
-            let t104 = t103 * t96;
-            let t105 = work.t75 + t104;
-            let t106 = gains[7];
-            let t107 = t106 * t96;
-            let t108 = work.t79 + t107;
-            let t109 = self.force[work.t82.min(40)];
-            let t110 = gains[8];
-            let t111 = t110 * t109;
-            let t112 = work.t68 + t111;
-            let t113 = gains[9];
-            let t114 = t113 * t109;
-            let t115 = work.t72 + t114;
-            let t116 = gains[10];
-            let t117 = t116 * t109;
-            let t118 = work.t76 + t117;
-            let t119 = gains[11];
-            let t120 = t119 * t109;
-            let t121 = work.t80 + t120;
-            let t122 = self.tanh_20_wheel[work.t82.min(40)];
-            let t123 = gains[12];
-            let t124 = t123 * t122;
-            let t125 = work.t69 + t124;
-            let t126 = gains[13];
-            let t127 = t126 * t122;
-            let t128 = work.t73 + t127;
-            let t129 = gains[14];
-            let t130 = t129 * t122;
-            let t131 = work.t77 + t130;
-            let t132 = gains[15];
-            let t133 = t132 * t122;
-            let t134 = work.t81 + t133;
-            let t135 = work.t82.wrapping_sub(1).min(40);
-            work.t66 = t86;
-            work.t67 = t99;
-            work.t68 = t112;
-            work.t69 = t125;
-            work.t70 = t89;
-            work.t71 = t102;
-            work.t72 = t115;
-            work.t73 = t128;
-            work.t74 = t92;
-            work.t75 = t105;
-            work.t76 = t118;
-            work.t77 = t131;
-            work.t78 = t95;
-            work.t79 = t108;
-            work.t80 = t121;
-            work.t81 = t134;
-            work.t82 = t135;
-        }
-        work.t136 = self.wheel[work.t82.min(40)];
+    fn part_2(&mut self, work: &Work) {
+        // into the window
+        self.newest = work.t13;
+        self.camera[work.t13.min(40)] = work.t36;
+        self.wheel[work.t13.min(40)] = work.t46;
+        self.force[work.t13.min(40)] = work.t12;
+        self.tanh_20_wheel[work.t13.min(40)] = work.t27;
     }
 
     /// Part 3 of a step.
     fn part_3(&self, work: &mut Work) {
-        let t138 = -0.000_674_362_47 * work.t136;
-        let t139 = work.t67 + t138;
-        let t141 = -0.025_912_454 * work.t136;
-        let t142 = work.t71 + t141;
-        let t144 = -0.175_441_06 * work.t136;
-        let t145 = work.t75 + t144;
-        let t147 = -0.020_613_518 * work.t136;
-        let t148 = work.t79 + t147;
-        let t149 = self.force[work.t82.min(40)];
-        let t151 = -6.742_048_8e-6 * t149;
-        let t152 = work.t68 + t151;
-        let t154 = -0.000_256_200_64 * t149;
-        let t155 = work.t72 + t154;
-        let t157 = -0.001_883_265_6 * t149;
-        let t158 = work.t76 + t157;
-        let t160 = -0.000_198_748_66 * t149;
-        let t161 = work.t80 + t160;
-        let t162 = self.tanh_20_wheel[work.t82.min(40)];
-        let t164 = 8.665_618e-6 * t162;
-        let t165 = work.t69 + t164;
-        let t167 = 0.000_331_036_46 * t162;
-        let t168 = work.t73 + t167;
-        let t170 = 0.002_446_891_5 * t162;
-        let t171 = work.t77 + t170;
-        let t173 = 0.000_256_341_88 * t162;
-        let t174 = work.t81 + t173;
-        let t175 = work.t82.wrapping_sub(1).min(40);
-        let t176 = self.wheel[t175];
-        let t178 = -0.000_510_029_26 * t176;
-        let t179 = t139 + t178;
-        let t181 = -0.009_487_389 * t176;
-        let t182 = t142 + t181;
-        let t184 = -0.056_135_755 * t176;
-        let t185 = t145 + t184;
-        let t187 = -0.007_823_485 * t176;
-        let t188 = t148 + t187;
-        let t189 = self.force[t175];
-        let t191 = -3.351_899_7e-6 * t189;
-        let t192 = t152 + t191;
-        let t194 = -0.000_125_976_93 * t189;
-        let t195 = t155 + t194;
-        let t197 = -0.000_917_578_93 * t189;
-        let t198 = t158 + t197;
-        let t200 = -9.801_503_6e-5 * t189;
-        let t201 = t161 + t200;
-        let t202 = self.tanh_20_wheel[t175];
-        let t204 = 4.989_935e-6 * t202;
-        let t205 = t165 + t204;
-        let t207 = 0.000_188_737_87 * t202;
-        let t208 = t168 + t207;
-        let t210 = 0.001_381_548_7 * t202;
-        let t211 = t171 + t210;
-        let t213 = 0.000_146_612_38 * t202;
-        let t214 = t174 + t213;
-        let t215 = t175.wrapping_sub(1).min(40);
-        let t216 = self.wheel[t215];
-        let t218 = -0.000_123_260_38 * t216;
-        let t219 = t179 + t218;
-        let t221 = 0.014_925_21 * t216;
-        let t222 = t182 + t221;
-        let t224 = 0.116_801_13 * t216;
-        let t225 = t185 + t224;
-        let t227 = 0.011_336_513 * t216;
-        work.t228 = t188 + t227;
-        let t229 = self.force[t215];
-        let t231 = -9.074_858e-7 * t229;
-        work.t232 = t192 + t231;
-        let t234 = -3.347_316e-5 * t229;
-        work.t235 = t195 + t234;
-        let t237 = -0.000_242_194_13 * t229;
-        work.t238 = t198 + t237;
-        let t240 = -2.609_850_7e-5 * t229;
-        work.t241 = t201 + t240;
-        let t242 = self.tanh_20_wheel[t215];
-        let t244 = 2.031_227e-6 * t242;
-        work.t245 = t205 + t244;
-        let t247 = 7.587_662e-5 * t242;
-        work.t248 = t208 + t247;
-        let t250 = 0.000_550_972_24 * t242;
-        work.t251 = t211 + t250;
-        let t253 = 5.909_267_2e-5 * t242;
-        work.t254 = t214 + t253;
-        work.t255 = t215.wrapping_sub(1).min(40);
-        work.t256 = self.wheel[work.t255.min(40)];
-        let t258 = 0.000_565_090_16 * work.t256;
-        work.t259 = t219 + t258;
-        let t261 = 0.050_137_85 * work.t256;
-        work.t262 = t222 + t261;
-        let t264 = 0.362_228_6 * work.t256;
-        work.t265 = t225 + t264;
+        // the sums over the window, newest sample first
+        work.t84 = 0.0;
+        work.t85 = 0.0;
+        work.t86 = 0.0;
+        work.t87 = 0.0;
+        work.t88 = 0.0;
+        work.t89 = 0.0;
+        work.t90 = 0.0;
+        work.t91 = 0.0;
+        work.t92 = 0.0;
+        work.t93 = 0.0;
+        work.t94 = 0.0;
+        work.t95 = 0.0;
+        work.t96 = 0.0;
+        work.t97 = 0.0;
+        work.t98 = 0.0;
+        work.t99 = 0.0;
+        work.t100 = work.t13;
+        for gains in &WINDOW {
+            let t101 = self.camera[work.t100.min(40)];
+            let t102 = gains[0];
+            let t103 = t102 * t101;
+            let t104 = work.t84 + t103;
+            let t105 = gains[1];
+            let t106 = t105 * t101;
+            let t107 = work.t88 + t106;
+            let t108 = gains[2];
+            let t109 = t108 * t101;
+            let t110 = work.t92 + t109;
+            let t111 = gains[3];
+            let t112 = t111 * t101;
+            let t113 = work.t96 + t112;
+            let t114 = self.wheel[work.t100.min(40)];
+            let t115 = gains[4];
+            let t116 = t115 * t114;
+            let t117 = work.t85 + t116;
+            let t118 = gains[5];
+            let t119 = t118 * t114;
+            let t120 = work.t89 + t119;
+            let t121 = gains[6];
+            let t122 = t121 * t114;
+            let t123 = work.t93 + t122;
+            let t124 = gains[7];
+            let t125 = t124 * t114;
+            let t126 = work.t97 + t125;
+            let t127 = self.force[work.t100.min(40)];
+            let t128 = gains[8];
+            let t129 = t128 * t127;
+            let t130 = work.t86 + t129;
+            let t131 = gains[9];
+            let t132 = t131 * t127;
+            let t133 = work.t90 + t132;
+            let t134 = gains[10];
+            let t135 = t134 * t127;
+            let t136 = work.t94 + t135;
+            let t137 = gains[11];
+            let t138 = t137 * t127;
+            let t139 = work.t98 + t138;
+            let t140 = self.tanh_20_wheel[work.t100.min(40)];
+            let t141 = gains[12];
+            let t142 = t141 * t140;
+            let t143 = work.t87 + t142;
+            let t144 = gains[13];
+            let t145 = t144 * t140;
+            let t146 = work.t91 + t145;
+            let t147 = gains[14];
+            let t148 = t147 * t140;
+            let t149 = work.t95 + t148;
+            let t150 = gains[15];
+            let t151 = t150 * t140;
+            let t152 = work.t99 + t151;
+            let t153 = work.t100.wrapping_sub(1).min(40);
+            work.t84 = t104;
+            work.t85 = t117;
+            work.t86 = t130;
+            work.t87 = t143;
+            work.t88 = t107;
+            work.t89 = t120;
+            work.t90 = t133;
+            work.t91 = t146;
+            work.t92 = t110;
+            work.t93 = t123;
+            work.t94 = t136;
+            work.t95 = t149;
+            work.t96 = t113;
+            work.t97 = t126;
+            work.t98 = t139;
+            work.t99 = t152;
+            work.t100 = t153;
+        }
+        work.t154 = self.wheel[work.t100.min(40)];
     }
 
     /// Part 4 of a step.
-    fn part_4(&mut self, work: &mut Work) {
-        let t267 = 0.039_110_288 * work.t256;
-        let t268 = work.t228 + t267;
-        let t269 = self.tanh_20_wheel[work.t255.min(40)];
-        let t271 = 2.991_004e-7 * t269;
-        let t272 = work.t245 + t271;
-        let t274 = 1.086_697e-5 * t269;
-        let t275 = work.t248 + t274;
-        let t277 = 7.863_073e-5 * t269;
-        let t278 = work.t251 + t277;
-        let t280 = 8.472_704e-6 * t269;
-        let t281 = work.t254 + t280;
-        let t282 = work.t66 + work.t259;
-        let t283 = t282 + work.t232;
-        let t284 = t283 + t272;
-        let t285 = work.t70 + work.t262;
-        let t286 = t285 + work.t235;
-        let t287 = t286 + t275;
-        let t288 = work.t74 + work.t265;
-        let t289 = t288 + work.t238;
-        let t290 = t289 + t278;
-        let t291 = work.t78 + t268;
-        let t292 = t291 + work.t241;
-        let t293 = t292 + t281;
+    fn part_4(&self, work: &mut Work) {
+        let t156 = -0.000_674_362_47 * work.t154;
+        let t157 = work.t85 + t156;
+        let t159 = -0.025_912_454 * work.t154;
+        let t160 = work.t89 + t159;
+        let t162 = -0.175_441_06 * work.t154;
+        let t163 = work.t93 + t162;
+        let t165 = -0.020_613_518 * work.t154;
+        let t166 = work.t97 + t165;
+        let t167 = self.force[work.t100.min(40)];
+        let t169 = -6.742_048_8e-6 * t167;
+        let t170 = work.t86 + t169;
+        let t172 = -0.000_256_200_64 * t167;
+        let t173 = work.t90 + t172;
+        let t175 = -0.001_883_265_6 * t167;
+        let t176 = work.t94 + t175;
+        let t178 = -0.000_198_748_66 * t167;
+        let t179 = work.t98 + t178;
+        let t180 = self.tanh_20_wheel[work.t100.min(40)];
+        let t182 = 8.665_618e-6 * t180;
+        let t183 = work.t87 + t182;
+        let t185 = 0.000_331_036_46 * t180;
+        let t186 = work.t91 + t185;
+        let t188 = 0.002_446_891_5 * t180;
+        let t189 = work.t95 + t188;
+        let t191 = 0.000_256_341_88 * t180;
+        let t192 = work.t99 + t191;
+        let t193 = work.t100.wrapping_sub(1).min(40);
+        let t194 = self.wheel[t193];
+        let t196 = -0.000_510_029_26 * t194;
+        let t197 = t157 + t196;
+        let t199 = -0.009_487_389 * t194;
+        let t200 = t160 + t199;
+        let t202 = -0.056_135_755 * t194;
+        let t203 = t163 + t202;
+        let t205 = -0.007_823_485 * t194;
+        let t206 = t166 + t205;
+        let t207 = self.force[t193];
+        let t209 = -3.351_899_7e-6 * t207;
+        let t210 = t170 + t209;
+        let t212 = -0.000_125_976_93 * t207;
+        let t213 = t173 + t212;
+        let t215 = -0.000_917_578_93 * t207;
+        let t216 = t176 + t215;
+        let t218 = -9.801_503_6e-5 * t207;
+        let t219 = t179 + t218;
+        let t220 = self.tanh_20_wheel[t193];
+        let t222 = 4.989_935e-6 * t220;
+        let t223 = t183 + t222;
+        let t225 = 0.000_188_737_87 * t220;
+        let t226 = t186 + t225;
+        let t228 = 0.001_381_548_7 * t220;
+        let t229 = t189 + t228;
+        let t231 = 0.000_146_612_38 * t220;
+        let t232 = t192 + t231;
+        let t233 = t193.wrapping_sub(1).min(40);
+        let t234 = self.wheel[t233];
+        let t236 = -0.000_123_260_38 * t234;
+        let t237 = t197 + t236;
+        let t239 = 0.014_925_21 * t234;
+        let t240 = t200 + t239;
+        let t242 = 0.116_801_13 * t234;
+        let t243 = t203 + t242;
+        let t245 = 0.011_336_513 * t234;
+        work.t246 = t206 + t245;
+        let t247 = self.force[t233];
+        let t249 = -9.074_858e-7 * t247;
+        work.t250 = t210 + t249;
+        let t252 = -3.347_316e-5 * t247;
+        work.t253 = t213 + t252;
+        let t255 = -0.000_242_194_13 * t247;
+        work.t256 = t216 + t255;
+        let t258 = -2.609_850_7e-5 * t247;
+        work.t259 = t219 + t258;
+        let t260 = self.tanh_20_wheel[t233];
+        let t262 = 2.031_227e-6 * t260;
+        work.t263 = t223 + t262;
+        let t265 = 7.587_662e-5 * t260;
+        work.t266 = t226 + t265;
+        let t268 = 0.000_550_972_24 * t260;
+        work.t269 = t229 + t268;
+        let t271 = 5.909_267_2e-5 * t260;
+        work.t272 = t232 + t271;
+        work.t273 = t233.wrapping_sub(1).min(40);
+        work.t274 = self.wheel[work.t273.min(40)];
+        let t276 = 0.000_565_090_16 * work.t274;
+        work.t277 = t237 + t276;
+        let t279 = 0.050_137_85 * work.t274;
+        work.t280 = t240 + t279;
+        let t282 = 0.362_228_6 * work.t274;
+        work.t283 = t243 + t282;
+    }
+
+    /// Part 5 of a step.
+    fn part_5(&mut self, work: &mut Work) {
+        let t285 = 0.039_110_288 * work.t274;
+        let t286 = work.t246 + t285;
+        let t287 = self.tanh_20_wheel[work.t273.min(40)];
+        let t289 = 2.991_004e-7 * t287;
+        let t290 = work.t263 + t289;
+        let t292 = 1.086_697e-5 * t287;
+        let t293 = work.t266 + t292;
+        let t295 = 7.863_073e-5 * t287;
+        let t296 = work.t269 + t295;
+        let t298 = 8.472_704e-6 * t287;
+        let t299 = work.t272 + t298;
+        let t300 = work.t84 + work.t277;
+        let t301 = t300 + work.t250;
+        let t302 = t301 + t290;
+        let t303 = work.t88 + work.t280;
+        let t304 = t303 + work.t253;
+        let t305 = t304 + t293;
+        let t306 = work.t92 + work.t283;
+        let t307 = t306 + work.t256;
+        let t308 = t307 + t296;
+        let t309 = work.t96 + t286;
+        let t310 = t309 + work.t259;
+        let t311 = t310 + t299;
 
         // the next measurement, as far as it is known
-        self.ahead_camera[work.t15.min(3)] = t284;
-        let t294 = if work.t15 < 3 { work.t15 + 1 } else { 0 };
-        self.ahead_camera_slot = t294;
-        let t296 = 0.258_096_25 * t287;
-        let t298 = 0.001_356_897_8 * t290;
-        let t300 = 0.740_818_2 * t293;
-        let t302 = -0.000_542_759_1 * work.t27;
-        let t303 = t296 + t298;
-        let t304 = t303 + t300;
-        let t305 = t304 + t302;
-        self.ahead_wheel = t305;
+        self.ahead_camera[work.t15.min(3)] = t302;
+        let t312 = if work.t15 < 3 { work.t15 + 1 } else { 0 };
+        self.ahead_camera_slot = t312;
+        let t314 = 0.258_096_25 * t305;
+        let t316 = 0.001_356_897_8 * t308;
+        let t318 = 0.740_818_2 * t311;
+        let t320 = -0.000_542_759_1 * work.t27;
+        let t321 = t314 + t316;
+        let t322 = t321 + t318;
+        let t323 = t322 + t320;
+        self.ahead_wheel = t323;
 
         // the estimate; until the window is full, the start
-        let t306 = 40 < work.t55;
-        work.t307 = if t306 { t284 } else { 0.0 };
-        work.t308 = if t306 { t287 } else { 0.0 };
-        work.t309 = if t306 { t290 } else { 0.0 };
-        work.t310 = if t306 { t293 } else { work.t46 };
-        let t311 = self.coasting;
-        let t312 = t311 == 0;
-        let t316 = if t312 { Status::Converged } else { Status::Coasting };
-        work.t317 = if t306 { t316 } else { Status::Converging };
+        let t324 = 40 < work.t73;
+        work.t325 = if t324 { t302 } else { 0.0 };
+        work.t326 = if t324 { t305 } else { 0.0 };
+        work.t327 = if t324 { t308 } else { 0.0 };
+        work.t328 = if t324 { t311 } else { work.t46 };
+        let t329 = self.coasting;
+        let t330 = t329 == 0;
+        let t334 = if t330 { Status::Converged } else { Status::Coasting };
+        work.t335 = if t324 { t334 } else { Status::Converging };
     }
 }
 

@@ -21,8 +21,8 @@
 //!   error bound, declared noise        2.656e-4  2.945e-4  2.615e-4  3.032e-4  5.109e-4  3.095e-4  0.003841  0.003712  0.004075  0.004861  0.006277  0.004194
 //!
 //! Cost       2955 multiplications, 2952 additions a call, the same for every call
-//! Memory     state 1992 bytes, constants 23328 bytes
-//!            at most: stack 6160 bytes, flash 37084 bytes without elementary functions
+//! Memory     state 2000 bytes, constants 23328 bytes
+//!            at most: stack 6360 bytes, flash 37936 bytes without elementary functions
 //!
 //! Contract:
 //!  1. No heap, no recursion, no global or static mutable data, no file or console, no library.
@@ -106,6 +106,12 @@ pub struct Observer {
     newest: usize,
     /// good samples in a row, then predicted ones too, at most 61
     count: usize,
+    /// samples of first missing in a row, at most a window
+    missed_first: usize,
+    /// samples of third missing in a row, at most a window
+    missed_third: usize,
+    /// samples of last missing in a row, at most a window
+    missed_last: usize,
     /// calls until no replaced sample is in the window
     coasting: usize,
     /// the next first, as far as it is known
@@ -1644,143 +1650,158 @@ static WINDOW_4: [[f64; 12]; 60] = [
 
 /// What one part of a step hands to the next.
 struct Work {
+    t1: usize,
+    t2: usize,
+    t5: f64,
+    t7: f64,
+    t9: f64,
+    t14: f64,
     t15: usize,
     t36: f64,
     t42: f64,
     t48: f64,
-    t59: usize,
-    t66: f64,
-    t67: f64,
-    t68: f64,
-    t69: f64,
-    t70: f64,
-    t71: f64,
-    t72: f64,
-    t73: f64,
-    t74: f64,
-    t75: f64,
-    t76: f64,
-    t77: f64,
-    t117: f64,
-    t118: f64,
-    t119: f64,
-    t120: f64,
-    t121: f64,
-    t122: f64,
-    t123: f64,
-    t124: f64,
-    t125: f64,
-    t126: f64,
-    t127: f64,
-    t128: f64,
-    t168: f64,
-    t169: f64,
-    t170: f64,
-    t171: f64,
-    t172: f64,
-    t173: f64,
-    t174: f64,
-    t175: f64,
-    t176: f64,
-    t177: f64,
-    t178: f64,
-    t179: f64,
-    t219: f64,
-    t220: f64,
-    t221: f64,
-    t222: f64,
-    t223: f64,
-    t224: f64,
-    t225: f64,
-    t226: f64,
-    t227: f64,
-    t228: f64,
-    t229: f64,
-    t230: f64,
-    t376: f64,
-    t377: f64,
-    t378: f64,
-    t379: f64,
-    t380: f64,
-    t381: f64,
-    t382: f64,
-    t383: f64,
-    t384: f64,
-    t385: f64,
-    t386: f64,
-    t387: f64,
-    t394: Status,
+    t84: usize,
+    t91: f64,
+    t92: f64,
+    t93: f64,
+    t94: f64,
+    t95: f64,
+    t96: f64,
+    t97: f64,
+    t98: f64,
+    t99: f64,
+    t100: f64,
+    t101: f64,
+    t102: f64,
+    t142: f64,
+    t143: f64,
+    t144: f64,
+    t145: f64,
+    t146: f64,
+    t147: f64,
+    t148: f64,
+    t149: f64,
+    t150: f64,
+    t151: f64,
+    t152: f64,
+    t153: f64,
+    t193: f64,
+    t194: f64,
+    t195: f64,
+    t196: f64,
+    t197: f64,
+    t198: f64,
+    t199: f64,
+    t200: f64,
+    t201: f64,
+    t202: f64,
+    t203: f64,
+    t204: f64,
+    t244: f64,
+    t245: f64,
+    t246: f64,
+    t247: f64,
+    t248: f64,
+    t249: f64,
+    t250: f64,
+    t251: f64,
+    t252: f64,
+    t253: f64,
+    t254: f64,
+    t255: f64,
+    t401: f64,
+    t402: f64,
+    t403: f64,
+    t404: f64,
+    t405: f64,
+    t406: f64,
+    t407: f64,
+    t408: f64,
+    t409: f64,
+    t410: f64,
+    t411: f64,
+    t412: f64,
+    t419: Status,
+    /// t4, t6, t8, t10, t12
+    flags: [bool; 5],
 }
 
 impl Work {
     /// Before the first part.
     const EMPTY: Self = Self {
+        t1: 0,
+        t2: 0,
+        t5: 0.0,
+        t7: 0.0,
+        t9: 0.0,
+        t14: 0.0,
         t15: 0,
         t36: 0.0,
         t42: 0.0,
         t48: 0.0,
-        t59: 0,
-        t66: 0.0,
-        t67: 0.0,
-        t68: 0.0,
-        t69: 0.0,
-        t70: 0.0,
-        t71: 0.0,
-        t72: 0.0,
-        t73: 0.0,
-        t74: 0.0,
-        t75: 0.0,
-        t76: 0.0,
-        t77: 0.0,
-        t117: 0.0,
-        t118: 0.0,
-        t119: 0.0,
-        t120: 0.0,
-        t121: 0.0,
-        t122: 0.0,
-        t123: 0.0,
-        t124: 0.0,
-        t125: 0.0,
-        t126: 0.0,
-        t127: 0.0,
-        t128: 0.0,
-        t168: 0.0,
-        t169: 0.0,
-        t170: 0.0,
-        t171: 0.0,
-        t172: 0.0,
-        t173: 0.0,
-        t174: 0.0,
-        t175: 0.0,
-        t176: 0.0,
-        t177: 0.0,
-        t178: 0.0,
-        t179: 0.0,
-        t219: 0.0,
-        t220: 0.0,
-        t221: 0.0,
-        t222: 0.0,
-        t223: 0.0,
-        t224: 0.0,
-        t225: 0.0,
-        t226: 0.0,
-        t227: 0.0,
-        t228: 0.0,
-        t229: 0.0,
-        t230: 0.0,
-        t376: 0.0,
-        t377: 0.0,
-        t378: 0.0,
-        t379: 0.0,
-        t380: 0.0,
-        t381: 0.0,
-        t382: 0.0,
-        t383: 0.0,
-        t384: 0.0,
-        t385: 0.0,
-        t386: 0.0,
-        t387: 0.0,
-        t394: Status::Converging,
+        t84: 0,
+        t91: 0.0,
+        t92: 0.0,
+        t93: 0.0,
+        t94: 0.0,
+        t95: 0.0,
+        t96: 0.0,
+        t97: 0.0,
+        t98: 0.0,
+        t99: 0.0,
+        t100: 0.0,
+        t101: 0.0,
+        t102: 0.0,
+        t142: 0.0,
+        t143: 0.0,
+        t144: 0.0,
+        t145: 0.0,
+        t146: 0.0,
+        t147: 0.0,
+        t148: 0.0,
+        t149: 0.0,
+        t150: 0.0,
+        t151: 0.0,
+        t152: 0.0,
+        t153: 0.0,
+        t193: 0.0,
+        t194: 0.0,
+        t195: 0.0,
+        t196: 0.0,
+        t197: 0.0,
+        t198: 0.0,
+        t199: 0.0,
+        t200: 0.0,
+        t201: 0.0,
+        t202: 0.0,
+        t203: 0.0,
+        t204: 0.0,
+        t244: 0.0,
+        t245: 0.0,
+        t246: 0.0,
+        t247: 0.0,
+        t248: 0.0,
+        t249: 0.0,
+        t250: 0.0,
+        t251: 0.0,
+        t252: 0.0,
+        t253: 0.0,
+        t254: 0.0,
+        t255: 0.0,
+        t401: 0.0,
+        t402: 0.0,
+        t403: 0.0,
+        t404: 0.0,
+        t405: 0.0,
+        t406: 0.0,
+        t407: 0.0,
+        t408: 0.0,
+        t409: 0.0,
+        t410: 0.0,
+        t411: 0.0,
+        t412: 0.0,
+        t419: Status::Converging,
+        flags: [false; 5],
     };
 }
 
@@ -1795,6 +1816,9 @@ impl Observer {
             push: [0.0; 61],
             newest: 60,
             count: 0,
+            missed_first: 0,
+            missed_third: 0,
+            missed_last: 0,
             coasting: 0,
             ahead_first: 0.0,
             ahead_third: 0.0,
@@ -1817,474 +1841,506 @@ impl Observer {
         self.part_4(&mut work);
         self.part_5(&mut work);
         self.part_6(&mut work);
+        self.part_7(&mut work);
         Estimate {
-            x1: work.t376,
-            x2: work.t377,
-            x3: work.t378,
-            x4: work.t379,
-            x5: work.t380,
-            x6: work.t381,
-            x7: work.t382,
-            x8: work.t383,
-            x9: work.t384,
-            x10: work.t385,
-            x11: work.t386,
-            x12: work.t387,
-            status: work.t394,
+            x1: work.t401,
+            x2: work.t402,
+            x3: work.t403,
+            x4: work.t404,
+            x5: work.t405,
+            x6: work.t406,
+            x7: work.t407,
+            x8: work.t408,
+            x9: work.t409,
+            x10: work.t410,
+            x11: work.t411,
+            x12: work.t412,
+            status: work.t419,
         }
     }
 
     /// Part 1 of a step.
-    fn part_1(&mut self, measurements: Measurements, inputs: Inputs, work: &mut Work) {
+    fn part_1(&self, measurements: Measurements, inputs: Inputs, work: &mut Work) {
         // samples: outside its range, infinite or NaN means missing
         let t0 = self.newest;
-        let t1 = t0.min(60);
-        let t2 = self.count;
-        let t4 = 60 < t2;
-        let t5 = measurements.first;
-        let t6 = (-1e305..=1e305).contains(&t5);
-        let t7 = measurements.third;
-        let t8 = (-1e305..=1e305).contains(&t7);
-        let t9 = measurements.last;
-        let t10 = (-1e305..=1e305).contains(&t9);
+        work.t1 = t0.min(60);
+        work.t2 = self.count;
+        work.flags[0] = 60 < work.t2;
+        work.t5 = measurements.first;
+        work.flags[1] = (-1e305..=1e305).contains(&work.t5);
+        work.t7 = measurements.third;
+        work.flags[2] = (-1e305..=1e305).contains(&work.t7);
+        work.t9 = measurements.last;
+        work.flags[3] = (-1e305..=1e305).contains(&work.t9);
         let t11 = inputs.push;
-        let t12 = (-1e305..=1e305).contains(&t11);
-        let t13 = self.push[t1];
-        let t14 = if t12 { t11 } else { t13 };
+        work.flags[4] = (-1e305..=1e305).contains(&t11);
+        let t13 = self.push[work.t1.min(60)];
+        work.t14 = if work.flags[4] { t11 } else { t13 };
+    }
 
+    /// Part 2 of a step.
+    fn part_2(&mut self, work: &mut Work) {
         // prediction, for a sample that is missing
-        work.t15 = if t1 < 60 { t1 + 1 } else { 0 };
+        work.t15 = if work.t1 < 60 { work.t1 + 1 } else { 0 };
         let t16 = self.ahead_first;
-        let t18 = 7.608_199_023_375_566e-20 * t14;
+        let t18 = 7.608_199_023_375_566e-20 * work.t14;
         let t19 = t16 + t18;
         let t20 = self.ahead_third;
-        let t22 = 1.682_574_280_815_165e-13 * t14;
+        let t22 = 1.682_574_280_815_165e-13 * work.t14;
         let t23 = t20 + t22;
         let t24 = self.ahead_last;
-        let t26 = 6.235_068_169_497_89e-5 * t14;
+        let t26 = 6.235_068_169_497_89e-5 * work.t14;
         let t27 = t24 + t26;
-        let t28 = self.first[t1];
-        let t29 = self.third[t1];
-        let t30 = self.last[t1];
+        let t28 = self.first[work.t1.min(60)];
+        let t29 = self.third[work.t1.min(60)];
+        let t30 = self.last[work.t1.min(60)];
         let t31 = (-1e305..=1e305).contains(&t19);
-        let t32 = t4 && t31;
+        let t32 = work.flags[0] && t31;
         let t33 = if t32 { t19 } else { t28 };
-        let t34 = t6 || t32;
+        let t34 = work.flags[1] || t32;
         let t35 = !t34;
-        work.t36 = if t6 { t5 } else { t33 };
+        work.t36 = if work.flags[1] { work.t5 } else { t33 };
         let t37 = (-1e305..=1e305).contains(&t23);
-        let t38 = t4 && t37;
+        let t38 = work.flags[0] && t37;
         let t39 = if t38 { t23 } else { t29 };
-        let t40 = t8 || t38;
+        let t40 = work.flags[2] || t38;
         let t41 = !t40;
-        work.t42 = if t8 { t7 } else { t39 };
+        work.t42 = if work.flags[2] { work.t7 } else { t39 };
         let t43 = (-1e305..=1e305).contains(&t27);
-        let t44 = t4 && t43;
+        let t44 = work.flags[0] && t43;
         let t45 = if t44 { t27 } else { t30 };
-        let t46 = t10 || t44;
+        let t46 = work.flags[3] || t44;
         let t47 = !t46;
-        work.t48 = if t10 { t9 } else { t45 };
-        let t49 = t6 && t8;
-        let t50 = t49 && t10;
-        let t51 = t35 || t41;
-        let t52 = t51 || t47;
+        work.t48 = if work.flags[3] { work.t9 } else { t45 };
+        let t49 = self.missed_first;
+        let t50 = 60 < t49;
+        let t51 = !work.flags[1];
+        let t52 = t51 && t50;
+        let t54 = if t49 < 61 { t49 + 1 } else { 61 };
+        let t55 = if work.flags[1] { 0 } else { t54 };
+        self.missed_first = t55;
+        let t56 = self.missed_third;
+        let t57 = 60 < t56;
+        let t58 = !work.flags[2];
+        let t59 = t58 && t57;
+        let t60 = if t56 < 61 { t56 + 1 } else { 61 };
+        let t61 = if work.flags[2] { 0 } else { t60 };
+        self.missed_third = t61;
+        let t62 = self.missed_last;
+        let t63 = 60 < t62;
+        let t64 = !work.flags[3];
+        let t65 = t64 && t63;
+        let t66 = if t62 < 61 { t62 + 1 } else { 61 };
+        let t67 = if work.flags[3] { 0 } else { t66 };
+        self.missed_last = t67;
+        let t68 = t52 || t59;
+        let t69 = t68 || t65;
+        let t70 = t52 && t59;
+        let t71 = t70 && t65;
+        let t72 = !t71;
+        let t73 = t69 && t72;
+        let t74 = work.flags[1] && work.flags[2];
+        let t75 = t74 && work.flags[3];
+        let t76 = t35 || t41;
+        let t77 = t76 || t47;
+        let t78 = t77 || t73;
 
         // how much of the window is good
-        let t55 = if t2 < 61 { t2 + 1 } else { 61 };
-        let t56 = if t52 { 0 } else { t55 };
-        let t57 = if t12 { t55 } else { 1 };
-        let t58 = if t50 { t57 } else { 0 };
-        work.t59 = if t4 { t56 } else { t58 };
-        self.count = work.t59;
-        let t60 = self.coasting;
-        let t61 = t60.saturating_sub(1);
-        let t62 = if t12 { t61 } else { 60 };
-        let t64 = if t50 { t62 } else { 61 };
-        self.coasting = t64;
+        let t80 = if work.t2 < 61 { work.t2 + 1 } else { 61 };
+        let t81 = if t78 { 0 } else { t80 };
+        let t82 = if work.flags[4] { t80 } else { 1 };
+        let t83 = if t75 { t82 } else { 0 };
+        work.t84 = if work.flags[0] { t81 } else { t83 };
+        self.count = work.t84;
+        let t85 = self.coasting;
+        let t86 = t85.saturating_sub(1);
+        let t87 = if work.flags[4] { t86 } else { 60 };
+        let t89 = if t75 { t87 } else { 61 };
+        self.coasting = t89;
 
         // into the window
         self.newest = work.t15;
         self.first[work.t15.min(60)] = work.t36;
         self.third[work.t15.min(60)] = work.t42;
         self.last[work.t15.min(60)] = work.t48;
-        self.push[work.t15.min(60)] = t14;
-    }
-
-    /// Part 2 of a step.
-    fn part_2(&self, work: &mut Work) {
-        // the sums over the window, newest sample first
-        work.t66 = 0.0;
-        work.t67 = 0.0;
-        work.t68 = 0.0;
-        work.t69 = 0.0;
-        work.t70 = 0.0;
-        work.t71 = 0.0;
-        work.t72 = 0.0;
-        work.t73 = 0.0;
-        work.t74 = 0.0;
-        work.t75 = 0.0;
-        work.t76 = 0.0;
-        work.t77 = 0.0;
-        let mut t78: usize = work.t15;
-        for gains in &WINDOW {
-            let t79 = self.first[t78.min(60)];
-            let t80 = gains[0];
-            let t81 = t80 * t79;
-            let t82 = work.t66 + t81;
-            let t83 = gains[1];
-            let t84 = t83 * t79;
-            let t85 = work.t67 + t84;
-            let t86 = gains[2];
-            let t87 = t86 * t79;
-            let t88 = work.t68 + t87;
-            let t89 = gains[3];
-            let t90 = t89 * t79;
-            let t91 = work.t69 + t90;
-            let t92 = gains[4];
-            let t93 = t92 * t79;
-            let t94 = work.t70 + t93;
-            let t95 = gains[5];
-            let t96 = t95 * t79;
-            let t97 = work.t71 + t96;
-            let t98 = gains[6];
-            let t99 = t98 * t79;
-            let t100 = work.t72 + t99;
-            let t101 = gains[7];
-            let t102 = t101 * t79;
-            let t103 = work.t73 + t102;
-            let t104 = gains[8];
-            let t105 = t104 * t79;
-            let t106 = work.t74 + t105;
-            let t107 = gains[9];
-            let t108 = t107 * t79;
-            let t109 = work.t75 + t108;
-            let t110 = gains[10];
-            let t111 = t110 * t79;
-            let t112 = work.t76 + t111;
-            let t113 = gains[11];
-            let t114 = t113 * t79;
-            let t115 = work.t77 + t114;
-            let t116 = t78.wrapping_sub(1).min(60);
-            work.t66 = t82;
-            work.t67 = t85;
-            work.t68 = t88;
-            work.t69 = t91;
-            work.t70 = t94;
-            work.t71 = t97;
-            work.t72 = t100;
-            work.t73 = t103;
-            work.t74 = t106;
-            work.t75 = t109;
-            work.t76 = t112;
-            work.t77 = t115;
-            t78 = t116;
-        }
+        self.push[work.t15.min(60)] = work.t14;
     }
 
     /// Part 3 of a step.
     fn part_3(&self, work: &mut Work) {
-        work.t117 = work.t66;
-        work.t118 = work.t67;
-        work.t119 = work.t68;
-        work.t120 = work.t69;
-        work.t121 = work.t70;
-        work.t122 = work.t71;
-        work.t123 = work.t72;
-        work.t124 = work.t73;
-        work.t125 = work.t74;
-        work.t126 = work.t75;
-        work.t127 = work.t76;
-        work.t128 = work.t77;
-        let mut t129: usize = work.t15;
-        for gains in &WINDOW_2 {
-            let t130 = self.third[t129.min(60)];
-            let t131 = gains[0];
-            let t132 = t131 * t130;
-            let t133 = work.t117 + t132;
-            let t134 = gains[1];
-            let t135 = t134 * t130;
-            let t136 = work.t118 + t135;
-            let t137 = gains[2];
-            let t138 = t137 * t130;
-            let t139 = work.t119 + t138;
-            let t140 = gains[3];
-            let t141 = t140 * t130;
-            let t142 = work.t120 + t141;
-            let t143 = gains[4];
-            let t144 = t143 * t130;
-            let t145 = work.t121 + t144;
-            let t146 = gains[5];
-            let t147 = t146 * t130;
-            let t148 = work.t122 + t147;
-            let t149 = gains[6];
-            let t150 = t149 * t130;
-            let t151 = work.t123 + t150;
-            let t152 = gains[7];
-            let t153 = t152 * t130;
-            let t154 = work.t124 + t153;
-            let t155 = gains[8];
-            let t156 = t155 * t130;
-            let t157 = work.t125 + t156;
-            let t158 = gains[9];
-            let t159 = t158 * t130;
-            let t160 = work.t126 + t159;
-            let t161 = gains[10];
-            let t162 = t161 * t130;
-            let t163 = work.t127 + t162;
-            let t164 = gains[11];
-            let t165 = t164 * t130;
-            let t166 = work.t128 + t165;
-            let t167 = t129.wrapping_sub(1).min(60);
-            work.t117 = t133;
-            work.t118 = t136;
-            work.t119 = t139;
-            work.t120 = t142;
-            work.t121 = t145;
-            work.t122 = t148;
-            work.t123 = t151;
-            work.t124 = t154;
-            work.t125 = t157;
-            work.t126 = t160;
-            work.t127 = t163;
-            work.t128 = t166;
-            t129 = t167;
+        // the sums over the window, newest sample first
+        work.t91 = 0.0;
+        work.t92 = 0.0;
+        work.t93 = 0.0;
+        work.t94 = 0.0;
+        work.t95 = 0.0;
+        work.t96 = 0.0;
+        work.t97 = 0.0;
+        work.t98 = 0.0;
+        work.t99 = 0.0;
+        work.t100 = 0.0;
+        work.t101 = 0.0;
+        work.t102 = 0.0;
+        let mut t103: usize = work.t15;
+        for gains in &WINDOW {
+            let t104 = self.first[t103.min(60)];
+            let t105 = gains[0];
+            let t106 = t105 * t104;
+            let t107 = work.t91 + t106;
+            let t108 = gains[1];
+            let t109 = t108 * t104;
+            let t110 = work.t92 + t109;
+            let t111 = gains[2];
+            let t112 = t111 * t104;
+            let t113 = work.t93 + t112;
+            let t114 = gains[3];
+            let t115 = t114 * t104;
+            let t116 = work.t94 + t115;
+            let t117 = gains[4];
+            let t118 = t117 * t104;
+            let t119 = work.t95 + t118;
+            let t120 = gains[5];
+            let t121 = t120 * t104;
+            let t122 = work.t96 + t121;
+            let t123 = gains[6];
+            let t124 = t123 * t104;
+            let t125 = work.t97 + t124;
+            let t126 = gains[7];
+            let t127 = t126 * t104;
+            let t128 = work.t98 + t127;
+            let t129 = gains[8];
+            let t130 = t129 * t104;
+            let t131 = work.t99 + t130;
+            let t132 = gains[9];
+            let t133 = t132 * t104;
+            let t134 = work.t100 + t133;
+            let t135 = gains[10];
+            let t136 = t135 * t104;
+            let t137 = work.t101 + t136;
+            let t138 = gains[11];
+            let t139 = t138 * t104;
+            let t140 = work.t102 + t139;
+            let t141 = t103.wrapping_sub(1).min(60);
+            work.t91 = t107;
+            work.t92 = t110;
+            work.t93 = t113;
+            work.t94 = t116;
+            work.t95 = t119;
+            work.t96 = t122;
+            work.t97 = t125;
+            work.t98 = t128;
+            work.t99 = t131;
+            work.t100 = t134;
+            work.t101 = t137;
+            work.t102 = t140;
+            t103 = t141;
         }
     }
 
     /// Part 4 of a step.
     fn part_4(&self, work: &mut Work) {
-        work.t168 = work.t117;
-        work.t169 = work.t118;
-        work.t170 = work.t119;
-        work.t171 = work.t120;
-        work.t172 = work.t121;
-        work.t173 = work.t122;
-        work.t174 = work.t123;
-        work.t175 = work.t124;
-        work.t176 = work.t125;
-        work.t177 = work.t126;
-        work.t178 = work.t127;
-        work.t179 = work.t128;
-        let mut t180: usize = work.t15;
-        for gains in &WINDOW_3 {
-            let t181 = self.last[t180.min(60)];
-            let t182 = gains[0];
-            let t183 = t182 * t181;
-            let t184 = work.t168 + t183;
-            let t185 = gains[1];
-            let t186 = t185 * t181;
-            let t187 = work.t169 + t186;
-            let t188 = gains[2];
-            let t189 = t188 * t181;
-            let t190 = work.t170 + t189;
-            let t191 = gains[3];
-            let t192 = t191 * t181;
-            let t193 = work.t171 + t192;
-            let t194 = gains[4];
-            let t195 = t194 * t181;
-            let t196 = work.t172 + t195;
-            let t197 = gains[5];
-            let t198 = t197 * t181;
-            let t199 = work.t173 + t198;
-            let t200 = gains[6];
-            let t201 = t200 * t181;
-            let t202 = work.t174 + t201;
-            let t203 = gains[7];
-            let t204 = t203 * t181;
-            let t205 = work.t175 + t204;
-            let t206 = gains[8];
-            let t207 = t206 * t181;
-            let t208 = work.t176 + t207;
-            let t209 = gains[9];
-            let t210 = t209 * t181;
-            let t211 = work.t177 + t210;
-            let t212 = gains[10];
-            let t213 = t212 * t181;
-            let t214 = work.t178 + t213;
-            let t215 = gains[11];
-            let t216 = t215 * t181;
-            let t217 = work.t179 + t216;
-            let t218 = t180.wrapping_sub(1).min(60);
-            work.t168 = t184;
-            work.t169 = t187;
-            work.t170 = t190;
-            work.t171 = t193;
-            work.t172 = t196;
-            work.t173 = t199;
-            work.t174 = t202;
-            work.t175 = t205;
-            work.t176 = t208;
-            work.t177 = t211;
-            work.t178 = t214;
-            work.t179 = t217;
-            t180 = t218;
+        work.t142 = work.t91;
+        work.t143 = work.t92;
+        work.t144 = work.t93;
+        work.t145 = work.t94;
+        work.t146 = work.t95;
+        work.t147 = work.t96;
+        work.t148 = work.t97;
+        work.t149 = work.t98;
+        work.t150 = work.t99;
+        work.t151 = work.t100;
+        work.t152 = work.t101;
+        work.t153 = work.t102;
+        let mut t154: usize = work.t15;
+        for gains in &WINDOW_2 {
+            let t155 = self.third[t154.min(60)];
+            let t156 = gains[0];
+            let t157 = t156 * t155;
+            let t158 = work.t142 + t157;
+            let t159 = gains[1];
+            let t160 = t159 * t155;
+            let t161 = work.t143 + t160;
+            let t162 = gains[2];
+            let t163 = t162 * t155;
+            let t164 = work.t144 + t163;
+            let t165 = gains[3];
+            let t166 = t165 * t155;
+            let t167 = work.t145 + t166;
+            let t168 = gains[4];
+            let t169 = t168 * t155;
+            let t170 = work.t146 + t169;
+            let t171 = gains[5];
+            let t172 = t171 * t155;
+            let t173 = work.t147 + t172;
+            let t174 = gains[6];
+            let t175 = t174 * t155;
+            let t176 = work.t148 + t175;
+            let t177 = gains[7];
+            let t178 = t177 * t155;
+            let t179 = work.t149 + t178;
+            let t180 = gains[8];
+            let t181 = t180 * t155;
+            let t182 = work.t150 + t181;
+            let t183 = gains[9];
+            let t184 = t183 * t155;
+            let t185 = work.t151 + t184;
+            let t186 = gains[10];
+            let t187 = t186 * t155;
+            let t188 = work.t152 + t187;
+            let t189 = gains[11];
+            let t190 = t189 * t155;
+            let t191 = work.t153 + t190;
+            let t192 = t154.wrapping_sub(1).min(60);
+            work.t142 = t158;
+            work.t143 = t161;
+            work.t144 = t164;
+            work.t145 = t167;
+            work.t146 = t170;
+            work.t147 = t173;
+            work.t148 = t176;
+            work.t149 = t179;
+            work.t150 = t182;
+            work.t151 = t185;
+            work.t152 = t188;
+            work.t153 = t191;
+            t154 = t192;
         }
     }
 
     /// Part 5 of a step.
     fn part_5(&self, work: &mut Work) {
-        work.t219 = work.t168;
-        work.t220 = work.t169;
-        work.t221 = work.t170;
-        work.t222 = work.t171;
-        work.t223 = work.t172;
-        work.t224 = work.t173;
-        work.t225 = work.t174;
-        work.t226 = work.t175;
-        work.t227 = work.t176;
-        work.t228 = work.t177;
-        work.t229 = work.t178;
-        work.t230 = work.t179;
-        let mut t231: usize = work.t15;
-        for gains in &WINDOW_4 {
-            let t232 = self.push[t231.min(60)];
-            let t233 = gains[0];
-            let t234 = t233 * t232;
-            let t235 = work.t219 + t234;
-            let t236 = gains[1];
-            let t237 = t236 * t232;
-            let t238 = work.t220 + t237;
-            let t239 = gains[2];
-            let t240 = t239 * t232;
-            let t241 = work.t221 + t240;
-            let t242 = gains[3];
-            let t243 = t242 * t232;
-            let t244 = work.t222 + t243;
-            let t245 = gains[4];
-            let t246 = t245 * t232;
-            let t247 = work.t223 + t246;
-            let t248 = gains[5];
-            let t249 = t248 * t232;
-            let t250 = work.t224 + t249;
-            let t251 = gains[6];
-            let t252 = t251 * t232;
-            let t253 = work.t225 + t252;
-            let t254 = gains[7];
-            let t255 = t254 * t232;
-            let t256 = work.t226 + t255;
-            let t257 = gains[8];
-            let t258 = t257 * t232;
-            let t259 = work.t227 + t258;
-            let t260 = gains[9];
-            let t261 = t260 * t232;
-            let t262 = work.t228 + t261;
-            let t263 = gains[10];
-            let t264 = t263 * t232;
-            let t265 = work.t229 + t264;
-            let t266 = gains[11];
-            let t267 = t266 * t232;
-            let t268 = work.t230 + t267;
-            let t269 = t231.wrapping_sub(1).min(60);
-            work.t219 = t235;
-            work.t220 = t238;
-            work.t221 = t241;
-            work.t222 = t244;
-            work.t223 = t247;
-            work.t224 = t250;
-            work.t225 = t253;
-            work.t226 = t256;
-            work.t227 = t259;
-            work.t228 = t262;
-            work.t229 = t265;
-            work.t230 = t268;
-            t231 = t269;
+        work.t193 = work.t142;
+        work.t194 = work.t143;
+        work.t195 = work.t144;
+        work.t196 = work.t145;
+        work.t197 = work.t146;
+        work.t198 = work.t147;
+        work.t199 = work.t148;
+        work.t200 = work.t149;
+        work.t201 = work.t150;
+        work.t202 = work.t151;
+        work.t203 = work.t152;
+        work.t204 = work.t153;
+        let mut t205: usize = work.t15;
+        for gains in &WINDOW_3 {
+            let t206 = self.last[t205.min(60)];
+            let t207 = gains[0];
+            let t208 = t207 * t206;
+            let t209 = work.t193 + t208;
+            let t210 = gains[1];
+            let t211 = t210 * t206;
+            let t212 = work.t194 + t211;
+            let t213 = gains[2];
+            let t214 = t213 * t206;
+            let t215 = work.t195 + t214;
+            let t216 = gains[3];
+            let t217 = t216 * t206;
+            let t218 = work.t196 + t217;
+            let t219 = gains[4];
+            let t220 = t219 * t206;
+            let t221 = work.t197 + t220;
+            let t222 = gains[5];
+            let t223 = t222 * t206;
+            let t224 = work.t198 + t223;
+            let t225 = gains[6];
+            let t226 = t225 * t206;
+            let t227 = work.t199 + t226;
+            let t228 = gains[7];
+            let t229 = t228 * t206;
+            let t230 = work.t200 + t229;
+            let t231 = gains[8];
+            let t232 = t231 * t206;
+            let t233 = work.t201 + t232;
+            let t234 = gains[9];
+            let t235 = t234 * t206;
+            let t236 = work.t202 + t235;
+            let t237 = gains[10];
+            let t238 = t237 * t206;
+            let t239 = work.t203 + t238;
+            let t240 = gains[11];
+            let t241 = t240 * t206;
+            let t242 = work.t204 + t241;
+            let t243 = t205.wrapping_sub(1).min(60);
+            work.t193 = t209;
+            work.t194 = t212;
+            work.t195 = t215;
+            work.t196 = t218;
+            work.t197 = t221;
+            work.t198 = t224;
+            work.t199 = t227;
+            work.t200 = t230;
+            work.t201 = t233;
+            work.t202 = t236;
+            work.t203 = t239;
+            work.t204 = t242;
+            t205 = t243;
         }
     }
 
     /// Part 6 of a step.
-    fn part_6(&mut self, work: &mut Work) {
+    fn part_6(&self, work: &mut Work) {
+        work.t244 = work.t193;
+        work.t245 = work.t194;
+        work.t246 = work.t195;
+        work.t247 = work.t196;
+        work.t248 = work.t197;
+        work.t249 = work.t198;
+        work.t250 = work.t199;
+        work.t251 = work.t200;
+        work.t252 = work.t201;
+        work.t253 = work.t202;
+        work.t254 = work.t203;
+        work.t255 = work.t204;
+        let mut t256: usize = work.t15;
+        for gains in &WINDOW_4 {
+            let t257 = self.push[t256.min(60)];
+            let t258 = gains[0];
+            let t259 = t258 * t257;
+            let t260 = work.t244 + t259;
+            let t261 = gains[1];
+            let t262 = t261 * t257;
+            let t263 = work.t245 + t262;
+            let t264 = gains[2];
+            let t265 = t264 * t257;
+            let t266 = work.t246 + t265;
+            let t267 = gains[3];
+            let t268 = t267 * t257;
+            let t269 = work.t247 + t268;
+            let t270 = gains[4];
+            let t271 = t270 * t257;
+            let t272 = work.t248 + t271;
+            let t273 = gains[5];
+            let t274 = t273 * t257;
+            let t275 = work.t249 + t274;
+            let t276 = gains[6];
+            let t277 = t276 * t257;
+            let t278 = work.t250 + t277;
+            let t279 = gains[7];
+            let t280 = t279 * t257;
+            let t281 = work.t251 + t280;
+            let t282 = gains[8];
+            let t283 = t282 * t257;
+            let t284 = work.t252 + t283;
+            let t285 = gains[9];
+            let t286 = t285 * t257;
+            let t287 = work.t253 + t286;
+            let t288 = gains[10];
+            let t289 = t288 * t257;
+            let t290 = work.t254 + t289;
+            let t291 = gains[11];
+            let t292 = t291 * t257;
+            let t293 = work.t255 + t292;
+            let t294 = t256.wrapping_sub(1).min(60);
+            work.t244 = t260;
+            work.t245 = t263;
+            work.t246 = t266;
+            work.t247 = t269;
+            work.t248 = t272;
+            work.t249 = t275;
+            work.t250 = t278;
+            work.t251 = t281;
+            work.t252 = t284;
+            work.t253 = t287;
+            work.t254 = t290;
+            work.t255 = t293;
+            t256 = t294;
+        }
+    }
+
+    /// Part 7 of a step.
+    fn part_7(&mut self, work: &mut Work) {
         // the next measurement, as far as it is known
-        let t271 = 0.991_046_362_001_688_8 * work.t219;
-        let t273 = 0.004_959_488_480_491_775 * work.t220;
-        let t275 = 1.074_940_823_493_860_7e-5 * work.t221;
-        let t277 = 1.295_465_580_411_955_8e-8 * work.t222;
-        let t279 = 1.379_983_208_948_537_6e-11 * work.t223;
-        let t281 = 7.045_465_472_560_125_5e-15 * work.t224;
-        let t283 = 0.009_930_309_595_125_036 * work.t225;
-        let t285 = 3.641_795_798_189_525e-5 * work.t226;
-        let t287 = 6.066_651_166_082_442e-8 * work.t227;
-        let t289 = 8.071_900_211_726_726e-11 * work.t228;
-        let t291 = 7.057_716_652_065_385e-14 * work.t229;
-        let t293 = 4.915_293_938_182_031e-17 * work.t230;
-        let t294 = t271 + t273;
-        let t295 = t294 + t275;
-        let t296 = t295 + t277;
-        let t297 = t279 + t281;
-        let t298 = t297 + t283;
-        let t299 = t298 + t285;
-        let t300 = t287 + t289;
-        let t301 = t300 + t291;
-        let t302 = t301 + t293;
-        let t303 = t296 + t299;
-        let t304 = t303 + t302;
-        self.ahead_first = t304;
-        let t306 = 1.071_902_006_845_474e-5 * work.t219;
-        let t308 = 0.006_610_464_838_806_609 * work.t220;
-        let t310 = 0.988_412_654_665_849_3 * work.t221;
-        let t312 = 0.004_954_656_404_716_262 * work.t222;
-        let t314 = 1.148_320_688_652_242_6e-5 * work.t223;
-        let t316 = 1.032_610_102_711_723_9e-8 * work.t224;
-        let t318 = 6.740_723_517_869_381e-8 * work.t225;
-        let t320 = 4.412_082_091_392_623e-5 * work.t226;
-        let t322 = 0.009_917_151_419_553_388 * work.t227;
-        let t324 = 3.859_177_250_454_417e-5 * work.t228;
-        let t326 = 6.842_394_099_762_838e-8 * work.t229;
-        let t328 = 7.756_967_651_580_954e-11 * work.t230;
-        let t329 = t306 + t308;
-        let t330 = t329 + t310;
-        let t331 = t330 + t312;
-        let t332 = t314 + t316;
-        let t333 = t332 + t318;
-        let t334 = t333 + t320;
-        let t335 = t322 + t324;
-        let t336 = t335 + t326;
-        let t337 = t336 + t328;
-        let t338 = t331 + t334;
-        let t339 = t338 + t337;
-        self.ahead_third = t339;
-        let t341 = 1.165_827_273_772_812_7e-14 * work.t219;
-        let t343 = 2.016_522_064_948_987e-11 * work.t220;
-        let t345 = 1.394_399_079_931_677_3e-8 * work.t221;
-        let t347 = 1.309_014_977_008_175_8e-5 * work.t222;
-        let t349 = 0.004_343_093_750_316_667 * work.t223;
-        let t351 = 0.995_643_802_135_745_5 * work.t224;
-        let t353 = 6.144_117_422_727_538e-17 * work.t225;
-        let t355 = 9.736_672_414_670_14e-14 * work.t226;
-        let t357 = 8.726_588_608_028_574e-11 * work.t227;
-        let t359 = 7.836_826_410_331_556e-8 * work.t228;
-        let t361 = 3.935_325_935_108_207e-5 * work.t229;
-        let t363 = 0.009_960_568_285_021_5 * work.t230;
-        let t364 = t341 + t343;
-        let t365 = t364 + t345;
-        let t366 = t365 + t347;
-        let t367 = t349 + t351;
-        let t368 = t367 + t353;
-        let t369 = t368 + t355;
-        let t370 = t357 + t359;
-        let t371 = t370 + t361;
-        let t372 = t371 + t363;
-        let t373 = t366 + t369;
-        let t374 = t373 + t372;
-        self.ahead_last = t374;
+        let t296 = 0.991_046_362_001_688_8 * work.t244;
+        let t298 = 0.004_959_488_480_491_775 * work.t245;
+        let t300 = 1.074_940_823_493_860_7e-5 * work.t246;
+        let t302 = 1.295_465_580_411_955_8e-8 * work.t247;
+        let t304 = 1.379_983_208_948_537_6e-11 * work.t248;
+        let t306 = 7.045_465_472_560_125_5e-15 * work.t249;
+        let t308 = 0.009_930_309_595_125_036 * work.t250;
+        let t310 = 3.641_795_798_189_525e-5 * work.t251;
+        let t312 = 6.066_651_166_082_442e-8 * work.t252;
+        let t314 = 8.071_900_211_726_726e-11 * work.t253;
+        let t316 = 7.057_716_652_065_385e-14 * work.t254;
+        let t318 = 4.915_293_938_182_031e-17 * work.t255;
+        let t319 = t296 + t298;
+        let t320 = t319 + t300;
+        let t321 = t320 + t302;
+        let t322 = t304 + t306;
+        let t323 = t322 + t308;
+        let t324 = t323 + t310;
+        let t325 = t312 + t314;
+        let t326 = t325 + t316;
+        let t327 = t326 + t318;
+        let t328 = t321 + t324;
+        let t329 = t328 + t327;
+        self.ahead_first = t329;
+        let t331 = 1.071_902_006_845_474e-5 * work.t244;
+        let t333 = 0.006_610_464_838_806_609 * work.t245;
+        let t335 = 0.988_412_654_665_849_3 * work.t246;
+        let t337 = 0.004_954_656_404_716_262 * work.t247;
+        let t339 = 1.148_320_688_652_242_6e-5 * work.t248;
+        let t341 = 1.032_610_102_711_723_9e-8 * work.t249;
+        let t343 = 6.740_723_517_869_381e-8 * work.t250;
+        let t345 = 4.412_082_091_392_623e-5 * work.t251;
+        let t347 = 0.009_917_151_419_553_388 * work.t252;
+        let t349 = 3.859_177_250_454_417e-5 * work.t253;
+        let t351 = 6.842_394_099_762_838e-8 * work.t254;
+        let t353 = 7.756_967_651_580_954e-11 * work.t255;
+        let t354 = t331 + t333;
+        let t355 = t354 + t335;
+        let t356 = t355 + t337;
+        let t357 = t339 + t341;
+        let t358 = t357 + t343;
+        let t359 = t358 + t345;
+        let t360 = t347 + t349;
+        let t361 = t360 + t351;
+        let t362 = t361 + t353;
+        let t363 = t356 + t359;
+        let t364 = t363 + t362;
+        self.ahead_third = t364;
+        let t366 = 1.165_827_273_772_812_7e-14 * work.t244;
+        let t368 = 2.016_522_064_948_987e-11 * work.t245;
+        let t370 = 1.394_399_079_931_677_3e-8 * work.t246;
+        let t372 = 1.309_014_977_008_175_8e-5 * work.t247;
+        let t374 = 0.004_343_093_750_316_667 * work.t248;
+        let t376 = 0.995_643_802_135_745_5 * work.t249;
+        let t378 = 6.144_117_422_727_538e-17 * work.t250;
+        let t380 = 9.736_672_414_670_14e-14 * work.t251;
+        let t382 = 8.726_588_608_028_574e-11 * work.t252;
+        let t384 = 7.836_826_410_331_556e-8 * work.t253;
+        let t386 = 3.935_325_935_108_207e-5 * work.t254;
+        let t388 = 0.009_960_568_285_021_5 * work.t255;
+        let t389 = t366 + t368;
+        let t390 = t389 + t370;
+        let t391 = t390 + t372;
+        let t392 = t374 + t376;
+        let t393 = t392 + t378;
+        let t394 = t393 + t380;
+        let t395 = t382 + t384;
+        let t396 = t395 + t386;
+        let t397 = t396 + t388;
+        let t398 = t391 + t394;
+        let t399 = t398 + t397;
+        self.ahead_last = t399;
 
         // the estimate; until the window is full, the start
-        let t375 = 60 < work.t59;
-        work.t376 = if t375 { work.t219 } else { work.t36 };
-        work.t377 = if t375 { work.t220 } else { 0.0 };
-        work.t378 = if t375 { work.t221 } else { work.t42 };
-        work.t379 = if t375 { work.t222 } else { 0.0 };
-        work.t380 = if t375 { work.t223 } else { 0.0 };
-        work.t381 = if t375 { work.t224 } else { work.t48 };
-        work.t382 = if t375 { work.t225 } else { 0.0 };
-        work.t383 = if t375 { work.t226 } else { 0.0 };
-        work.t384 = if t375 { work.t227 } else { 0.0 };
-        work.t385 = if t375 { work.t228 } else { 0.0 };
-        work.t386 = if t375 { work.t229 } else { 0.0 };
-        work.t387 = if t375 { work.t230 } else { 0.0 };
-        let t388 = self.coasting;
-        let t389 = t388 == 0;
-        let t393 = if t389 { Status::Converged } else { Status::Coasting };
-        work.t394 = if t375 { t393 } else { Status::Converging };
+        let t400 = 60 < work.t84;
+        work.t401 = if t400 { work.t244 } else { work.t36 };
+        work.t402 = if t400 { work.t245 } else { 0.0 };
+        work.t403 = if t400 { work.t246 } else { work.t42 };
+        work.t404 = if t400 { work.t247 } else { 0.0 };
+        work.t405 = if t400 { work.t248 } else { 0.0 };
+        work.t406 = if t400 { work.t249 } else { work.t48 };
+        work.t407 = if t400 { work.t250 } else { 0.0 };
+        work.t408 = if t400 { work.t251 } else { 0.0 };
+        work.t409 = if t400 { work.t252 } else { 0.0 };
+        work.t410 = if t400 { work.t253 } else { 0.0 };
+        work.t411 = if t400 { work.t254 } else { 0.0 };
+        work.t412 = if t400 { work.t255 } else { 0.0 };
+        let t413 = self.coasting;
+        let t414 = t413 == 0;
+        let t418 = if t414 { Status::Converged } else { Status::Coasting };
+        work.t419 = if t400 { t418 } else { Status::Converging };
     }
 }
 

@@ -27,8 +27,8 @@
 //!   error bound, declared noise              5.455e-4     6.964e-4    0.1321       0.05294
 //!
 //! Cost       672 multiplications, 684 additions, 1 sin a call, the same for every call
-//! Memory     state 1344 bytes, constants 5248 bytes
-//!            at most: stack 3228 bytes, flash 11916 bytes without elementary functions
+//! Memory     state 1352 bytes, constants 5248 bytes
+//!            at most: stack 3364 bytes, flash 12492 bytes without elementary functions
 //!
 //! Contract:
 //!  1. No heap, no recursion, no global or static mutable data, no file or console, no library.
@@ -94,6 +94,10 @@ pub struct Observer {
     newest: usize,
     /// good samples in a row, then predicted ones too, at most 41
     count: usize,
+    /// samples of `motor_angle` missing in a row, at most a window
+    missed_motor_angle: usize,
+    /// samples of `load_angle` missing in a row, at most a window
+    missed_load_angle: usize,
     /// calls until no replaced sample is in the window
     coasting: usize,
     /// the next `motor_angle`, as far as it is known
@@ -458,27 +462,27 @@ struct Work {
     t20: f64,
     t35: f64,
     t47: f64,
-    t55: usize,
-    t63: f64,
-    t64: f64,
-    t65: f64,
-    t66: f64,
-    t67: f64,
-    t68: f64,
-    t69: f64,
-    t70: f64,
-    t71: f64,
-    t72: f64,
-    t73: f64,
-    t74: f64,
-    t75: f64,
-    t76: f64,
-    t131: f64,
-    t178: f64,
-    t179: f64,
-    t180: f64,
-    t181: f64,
-    t188: Status,
+    t72: usize,
+    t80: f64,
+    t81: f64,
+    t82: f64,
+    t83: f64,
+    t84: f64,
+    t85: f64,
+    t86: f64,
+    t87: f64,
+    t88: f64,
+    t89: f64,
+    t90: f64,
+    t91: f64,
+    t92: f64,
+    t93: f64,
+    t148: f64,
+    t195: f64,
+    t196: f64,
+    t197: f64,
+    t198: f64,
+    t205: Status,
 }
 
 impl Work {
@@ -489,27 +493,27 @@ impl Work {
         t20: 0.0,
         t35: 0.0,
         t47: 0.0,
-        t55: 0,
-        t63: 0.0,
-        t64: 0.0,
-        t65: 0.0,
-        t66: 0.0,
-        t67: 0.0,
-        t68: 0.0,
-        t69: 0.0,
-        t70: 0.0,
-        t71: 0.0,
-        t72: 0.0,
-        t73: 0.0,
-        t74: 0.0,
-        t75: 0.0,
-        t76: 0.0,
-        t131: 0.0,
-        t178: 0.0,
-        t179: 0.0,
-        t180: 0.0,
-        t181: 0.0,
-        t188: Status::Converging,
+        t72: 0,
+        t80: 0.0,
+        t81: 0.0,
+        t82: 0.0,
+        t83: 0.0,
+        t84: 0.0,
+        t85: 0.0,
+        t86: 0.0,
+        t87: 0.0,
+        t88: 0.0,
+        t89: 0.0,
+        t90: 0.0,
+        t91: 0.0,
+        t92: 0.0,
+        t93: 0.0,
+        t148: 0.0,
+        t195: 0.0,
+        t196: 0.0,
+        t197: 0.0,
+        t198: 0.0,
+        t205: Status::Converging,
     };
 }
 
@@ -524,6 +528,8 @@ impl Observer {
             sin_load_angle: [0.0; 41],
             newest: 40,
             count: 0,
+            missed_motor_angle: 0,
+            missed_load_angle: 0,
             coasting: 0,
             ahead_motor_angle: 0.0,
             ahead_load_angle: 0.0,
@@ -543,11 +549,11 @@ impl Observer {
         self.part_2(&mut work);
         self.part_3(&mut work);
         Estimate {
-            motor_angle: work.t178,
-            load_angle: work.t179,
-            motor_speed: work.t180,
-            load_speed: work.t181,
-            status: work.t188,
+            motor_angle: work.t195,
+            load_angle: work.t196,
+            motor_speed: work.t197,
+            load_speed: work.t198,
+            status: work.t205,
         }
     }
 
@@ -599,20 +605,39 @@ impl Observer {
         let t45 = t8 || t43;
         let t46 = !t45;
         work.t47 = if t8 { t7 } else { t44 };
-        let t48 = t6 && t8;
-        let t49 = t48 && t10;
-        let t50 = t34 || t46;
+        let t48 = self.missed_motor_angle;
+        let t49 = 40 < t48;
+        let t50 = !t6;
+        let t51 = t50 && t49;
+        let t53 = if t48 < 41 { t48 + 1 } else { 41 };
+        let t54 = if t6 { 0 } else { t53 };
+        self.missed_motor_angle = t54;
+        let t55 = self.missed_load_angle;
+        let t56 = 40 < t55;
+        let t57 = !t8;
+        let t58 = t57 && t56;
+        let t59 = if t55 < 41 { t55 + 1 } else { 41 };
+        let t60 = if t8 { 0 } else { t59 };
+        self.missed_load_angle = t60;
+        let t61 = t51 || t58;
+        let t62 = t51 && t58;
+        let t63 = !t62;
+        let t64 = t61 && t63;
+        let t65 = t6 && t8;
+        let t66 = t65 && t10;
+        let t67 = t34 || t46;
+        let t68 = t67 || t64;
 
         // how much of the window is good
-        let t52 = if t2 < 41 { t2 + 1 } else { 41 };
-        let t53 = if t50 { 0 } else { t52 };
-        let t54 = if t49 { t52 } else { 0 };
-        work.t55 = if t4 { t53 } else { t54 };
-        self.count = work.t55;
-        let t56 = self.coasting;
-        let t57 = t56.saturating_sub(1);
-        let t59 = if t49 { t57 } else { 41 };
-        self.coasting = t59;
+        let t69 = if t2 < 41 { t2 + 1 } else { 41 };
+        let t70 = if t68 { 0 } else { t69 };
+        let t71 = if t66 { t69 } else { 0 };
+        work.t72 = if t4 { t70 } else { t71 };
+        self.count = work.t72;
+        let t73 = self.coasting;
+        let t74 = t73.saturating_sub(1);
+        let t76 = if t66 { t74 } else { 41 };
+        self.coasting = t76;
 
         // into the window
         self.newest = work.t13;
@@ -625,148 +650,148 @@ impl Observer {
     /// Part 2 of a step.
     fn part_2(&self, work: &mut Work) {
         // the sums over the window, newest sample first
-        let mut t61: f64 = 0.0;
-        let mut t62: f64 = 0.0;
-        work.t63 = 0.0;
-        work.t64 = 0.0;
-        work.t65 = 0.0;
-        work.t66 = 0.0;
-        work.t67 = 0.0;
-        work.t68 = 0.0;
-        work.t69 = 0.0;
-        work.t70 = 0.0;
-        work.t71 = 0.0;
-        work.t72 = 0.0;
-        work.t73 = 0.0;
-        work.t74 = 0.0;
-        work.t75 = 0.0;
-        work.t76 = 0.0;
-        let mut t77: usize = work.t13;
+        let mut t78: f64 = 0.0;
+        let mut t79: f64 = 0.0;
+        work.t80 = 0.0;
+        work.t81 = 0.0;
+        work.t82 = 0.0;
+        work.t83 = 0.0;
+        work.t84 = 0.0;
+        work.t85 = 0.0;
+        work.t86 = 0.0;
+        work.t87 = 0.0;
+        work.t88 = 0.0;
+        work.t89 = 0.0;
+        work.t90 = 0.0;
+        work.t91 = 0.0;
+        work.t92 = 0.0;
+        work.t93 = 0.0;
+        let mut t94: usize = work.t13;
         for gains in &WINDOW {
-            let t78 = self.motor_angle[t77.min(40)];
-            let t79 = gains[0];
-            let t80 = t79 * t78;
-            let t81 = t61 + t80;
-            let t82 = gains[1];
-            let t83 = t82 * t78;
-            let t84 = work.t65 + t83;
-            let t85 = gains[2];
-            let t86 = t85 * t78;
-            let t87 = work.t69 + t86;
-            let t88 = gains[3];
-            let t89 = t88 * t78;
-            let t90 = work.t73 + t89;
-            let t91 = self.load_angle[t77.min(40)];
-            let t92 = gains[4];
-            let t93 = t92 * t91;
-            let t94 = t62 + t93;
-            let t95 = gains[5];
-            let t96 = t95 * t91;
-            let t97 = work.t66 + t96;
-            let t98 = gains[6];
-            let t99 = t98 * t91;
-            let t100 = work.t70 + t99;
-            let t101 = gains[7];
-            let t102 = t101 * t91;
-            let t103 = work.t74 + t102;
-            let t104 = self.torque[t77.min(40)];
-            let t105 = gains[8];
-            let t106 = t105 * t104;
-            let t107 = work.t63 + t106;
-            let t108 = gains[9];
-            let t109 = t108 * t104;
-            let t110 = work.t67 + t109;
-            let t111 = gains[10];
-            let t112 = t111 * t104;
-            let t113 = work.t71 + t112;
-            let t114 = gains[11];
-            let t115 = t114 * t104;
-            let t116 = work.t75 + t115;
-            let t117 = self.sin_load_angle[t77.min(40)];
-            let t118 = gains[12];
-            let t119 = t118 * t117;
-            let t120 = work.t64 + t119;
-            let t121 = gains[13];
-            let t122 = t121 * t117;
-            let t123 = work.t68 + t122;
-            let t124 = gains[14];
-            let t125 = t124 * t117;
-            let t126 = work.t72 + t125;
-            let t127 = gains[15];
-            let t128 = t127 * t117;
-            let t129 = work.t76 + t128;
-            let t130 = t77.wrapping_sub(1).min(40);
-            t61 = t81;
-            t62 = t94;
-            work.t63 = t107;
-            work.t64 = t120;
-            work.t65 = t84;
-            work.t66 = t97;
-            work.t67 = t110;
-            work.t68 = t123;
-            work.t69 = t87;
-            work.t70 = t100;
-            work.t71 = t113;
-            work.t72 = t126;
-            work.t73 = t90;
-            work.t74 = t103;
-            work.t75 = t116;
-            work.t76 = t129;
-            t77 = t130;
+            let t95 = self.motor_angle[t94.min(40)];
+            let t96 = gains[0];
+            let t97 = t96 * t95;
+            let t98 = t78 + t97;
+            let t99 = gains[1];
+            let t100 = t99 * t95;
+            let t101 = work.t82 + t100;
+            let t102 = gains[2];
+            let t103 = t102 * t95;
+            let t104 = work.t86 + t103;
+            let t105 = gains[3];
+            let t106 = t105 * t95;
+            let t107 = work.t90 + t106;
+            let t108 = self.load_angle[t94.min(40)];
+            let t109 = gains[4];
+            let t110 = t109 * t108;
+            let t111 = t79 + t110;
+            let t112 = gains[5];
+            let t113 = t112 * t108;
+            let t114 = work.t83 + t113;
+            let t115 = gains[6];
+            let t116 = t115 * t108;
+            let t117 = work.t87 + t116;
+            let t118 = gains[7];
+            let t119 = t118 * t108;
+            let t120 = work.t91 + t119;
+            let t121 = self.torque[t94.min(40)];
+            let t122 = gains[8];
+            let t123 = t122 * t121;
+            let t124 = work.t80 + t123;
+            let t125 = gains[9];
+            let t126 = t125 * t121;
+            let t127 = work.t84 + t126;
+            let t128 = gains[10];
+            let t129 = t128 * t121;
+            let t130 = work.t88 + t129;
+            let t131 = gains[11];
+            let t132 = t131 * t121;
+            let t133 = work.t92 + t132;
+            let t134 = self.sin_load_angle[t94.min(40)];
+            let t135 = gains[12];
+            let t136 = t135 * t134;
+            let t137 = work.t81 + t136;
+            let t138 = gains[13];
+            let t139 = t138 * t134;
+            let t140 = work.t85 + t139;
+            let t141 = gains[14];
+            let t142 = t141 * t134;
+            let t143 = work.t89 + t142;
+            let t144 = gains[15];
+            let t145 = t144 * t134;
+            let t146 = work.t93 + t145;
+            let t147 = t94.wrapping_sub(1).min(40);
+            t78 = t98;
+            t79 = t111;
+            work.t80 = t124;
+            work.t81 = t137;
+            work.t82 = t101;
+            work.t83 = t114;
+            work.t84 = t127;
+            work.t85 = t140;
+            work.t86 = t104;
+            work.t87 = t117;
+            work.t88 = t130;
+            work.t89 = t143;
+            work.t90 = t107;
+            work.t91 = t120;
+            work.t92 = t133;
+            work.t93 = t146;
+            t94 = t147;
         }
-        work.t131 = t61 + t62;
+        work.t148 = t78 + t79;
     }
 
     /// Part 3 of a step.
     fn part_3(&mut self, work: &mut Work) {
-        let t132 = work.t131 + work.t63;
-        let t133 = t132 + work.t64;
-        let t134 = work.t65 + work.t66;
-        let t135 = t134 + work.t67;
-        let t136 = t135 + work.t68;
-        let t137 = work.t69 + work.t70;
-        let t138 = t137 + work.t71;
-        let t139 = t138 + work.t72;
-        let t140 = work.t73 + work.t74;
-        let t141 = t140 + work.t75;
-        let t142 = t141 + work.t76;
+        let t149 = work.t148 + work.t80;
+        let t150 = t149 + work.t81;
+        let t151 = work.t82 + work.t83;
+        let t152 = t151 + work.t84;
+        let t153 = t152 + work.t85;
+        let t154 = work.t86 + work.t87;
+        let t155 = t154 + work.t88;
+        let t156 = t155 + work.t89;
+        let t157 = work.t90 + work.t91;
+        let t158 = t157 + work.t92;
+        let t159 = t158 + work.t93;
 
         // the next measurement, as far as it is known
-        let t144 = 0.995_024_914_226_229_4 * t133;
-        let t146 = 0.004_975_085_773_770_609 * t136;
-        let t148 = 0.000_496_682_115_654_701_1 * t139;
-        let t150 = 3.317_884_345_298_893_7e-6 * t142;
-        let t152 = 1.244_809_536_202_210_2e-5 * work.t12;
-        let t154 = -1.557_139_139_336_934e-8 * work.t20;
-        let t155 = t144 + t146;
-        let t156 = t155 + t148;
-        let t157 = t150 + t152;
-        let t158 = t157 + t154;
-        let t159 = t156 + t158;
-        self.ahead_motor_angle = t159;
-        let t161 = 0.000_995_017_154_754_121_8 * t133;
-        let t163 = 0.999_004_982_845_245_9 * t136;
-        let t165 = 6.635_768_690_597_788e-7 * t139;
-        let t167 = 0.000_499_336_423_130_940_2 * t142;
-        let t169 = 1.038_092_759_557_956e-8 * work.t12;
-        let t171 = -3.746_885_721_721_326_3e-6 * work.t20;
+        let t161 = 0.995_024_914_226_229_4 * t150;
+        let t163 = 0.004_975_085_773_770_609 * t153;
+        let t165 = 0.000_496_682_115_654_701_1 * t156;
+        let t167 = 3.317_884_345_298_893_7e-6 * t159;
+        let t169 = 1.244_809_536_202_210_2e-5 * work.t12;
+        let t171 = -1.557_139_139_336_934e-8 * work.t20;
         let t172 = t161 + t163;
         let t173 = t172 + t165;
         let t174 = t167 + t169;
         let t175 = t174 + t171;
         let t176 = t173 + t175;
-        self.ahead_load_angle = t176;
+        self.ahead_motor_angle = t176;
+        let t178 = 0.000_995_017_154_754_121_8 * t150;
+        let t180 = 0.999_004_982_845_245_9 * t153;
+        let t182 = 6.635_768_690_597_788e-7 * t156;
+        let t184 = 0.000_499_336_423_130_940_2 * t159;
+        let t186 = 1.038_092_759_557_956e-8 * work.t12;
+        let t188 = -3.746_885_721_721_326_3e-6 * work.t20;
+        let t189 = t178 + t180;
+        let t190 = t189 + t182;
+        let t191 = t184 + t186;
+        let t192 = t191 + t188;
+        let t193 = t190 + t192;
+        self.ahead_load_angle = t193;
 
         // the estimate; until the window is full, the start
-        let t177 = 40 < work.t55;
-        work.t178 = if t177 { t133 } else { work.t35 };
-        work.t179 = if t177 { t136 } else { work.t47 };
-        work.t180 = if t177 { t139 } else { 0.0 };
-        work.t181 = if t177 { t142 } else { 0.0 };
-        let t182 = self.coasting;
-        let t183 = t182 == 0;
-        let t187 = if t183 { Status::Converged } else { Status::Coasting };
-        work.t188 = if t177 { t187 } else { Status::Converging };
+        let t194 = 40 < work.t72;
+        work.t195 = if t194 { t150 } else { work.t35 };
+        work.t196 = if t194 { t153 } else { work.t47 };
+        work.t197 = if t194 { t156 } else { 0.0 };
+        work.t198 = if t194 { t159 } else { 0.0 };
+        let t199 = self.coasting;
+        let t200 = t199 == 0;
+        let t204 = if t200 { Status::Converged } else { Status::Coasting };
+        work.t205 = if t194 { t204 } else { Status::Converging };
     }
 }
 

@@ -3,7 +3,7 @@
 //! No allocation, no `std`, no `unsafe`. The functions in [`math`] have a C twin with the same
 //! operations in the same order, so that generated Rust and generated C give the same bits.
 //!
-//! With the feature `macros`, [`observer!`] turns a specification into an observer in place.
+//! With the feature `macros`, `observer!` turns a specification into an observer in place.
 #![no_std]
 
 pub use deadbeat_math as math;

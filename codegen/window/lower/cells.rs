@@ -41,21 +41,28 @@ pub(super) fn declare(builder: &mut Builder, plant: &Plant, functional: &Functio
         builder.ring(&output.label.name, &doc, window, injections::initial_output(plant, o, scalar))
     });
     let outputs = outputs.collect();
-    let signals = functional.signals.iter().map(|signal| {
-        builder.ring(&identifier(&signal.text), &format!("{} by slot", signal.text), window, 0.0)
-    });
+    let signals = functional
+        .signals
+        .iter()
+        .map(|signal| builder.ring(&identifier(&signal.text), &format!("{} by slot", signal.text), window, 0.0));
     let signals = signals.collect();
-    let inputs = plant.inputs.iter().map(|input| {
-        builder.float_cell(&format!("last_{}", input.label.name), "the last good value", 0.0)
-    });
+    let inputs = plant
+        .inputs
+        .iter()
+        .map(|input| builder.float_cell(&format!("last_{}", input.label.name), "the last good value", 0.0));
     let inputs = inputs.collect();
     let newest = builder.index_cell("newest", "slot of age 0", window - 1);
     let most = longest_count(functional);
-    let count = builder.index_cell("count", &format!("good samples in a row, then predicted ones too, at most {most}"), 0);
+    let count =
+        builder.index_cell("count", &format!("good samples in a row, then predicted ones too, at most {most}"), 0);
     let several = if plant.outputs.len() > 1 { plant.outputs.as_slice() } else { &[] };
     let missed = several.iter().map(|output| {
         let name = &output.label.name;
-        builder.index_cell(&format!("missed_{name}"), &format!("samples of {name} missing in a row, at most a window"), 0)
+        builder.index_cell(
+            &format!("missed_{name}"),
+            &format!("samples of {name} missing in a row, at most a window"),
+            0,
+        )
     });
     let missed = missed.collect();
     let coasting = builder.index_cell("coasting", "calls until no replaced sample is in the window", 0);
@@ -64,7 +71,11 @@ pub(super) fn declare(builder: &mut Builder, plant: &Plant, functional: &Functio
     for (o, output) in plant.outputs.iter().enumerate() {
         let name = &output.label.name;
         if functional.delays[o] == 0 {
-            ahead.push(builder.float_cell(&format!("ahead_{name}"), &format!("the next {name}, as far as it is known"), 0.0));
+            ahead.push(builder.float_cell(
+                &format!("ahead_{name}"),
+                &format!("the next {name}, as far as it is known"),
+                0.0,
+            ));
             late.push(None);
         } else {
             let len = late_len(functional, o);

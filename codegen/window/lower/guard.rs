@@ -44,7 +44,8 @@ impl Guard {
             return Err(vec![error.help(help)]);
         };
         let mut found = Vec::new();
-        let outputs: Vec<(f64, f64)> = plant.outputs.iter().map(|o| output_range(plant, o, bound, &mut found)).collect();
+        let outputs: Vec<(f64, f64)> =
+            plant.outputs.iter().map(|o| output_range(plant, o, bound, &mut found)).collect();
         if !found.is_empty() {
             return Err(found);
         }
@@ -80,9 +81,8 @@ fn largest_gain(plant: &Plant, functional: &Functional) -> f64 {
         let signals: f64 = p.held.iter().chain(&p.end).map(|weight| 2.0 * size(weight)).sum();
         own + signals + p.constant.double.abs()
     };
-    let start = |s: &crate::plant::State| -> f64 {
-        s.measured.iter().map(|(_, w)| w.to_f64().unwrap_or(0.0).abs()).sum()
-    };
+    let start =
+        |s: &crate::plant::State| -> f64 { s.measured.iter().map(|(_, w)| w.to_f64().unwrap_or(0.0).abs()).sum() };
     let predictions = functional.prediction.iter().map(prediction);
     states.iter().copied().chain(predictions).chain(plant.states.iter().map(start)).fold(1.0, f64::max)
 }

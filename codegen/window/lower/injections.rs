@@ -55,12 +55,19 @@ pub fn check(plant: &Plant) -> Result<(), Vec<Diagnostic>> {
     let mut refuse = |constant: &Constant, span: &std::ops::Range<usize>| {
         let value = round(constant, plant.scalar);
         if value.is_nan() {
-            found.push(Diagnostic::error(codes::DOMAIN, span.clone(), "a constant in this has no usable value").label("a division by zero, or a root of rounding"));
+            found.push(
+                Diagnostic::error(codes::DOMAIN, span.clone(), "a constant in this has no usable value")
+                    .label("a division by zero, or a root of rounding"),
+            );
         } else if !value.is_finite() {
             let size = constant.to_f64().unwrap_or(f64::INFINITY);
             let message = format!("a constant is too large for {}", plant.scalar);
             let error = Diagnostic::error(codes::OUT_OF_RANGE, span.clone(), message).measured(size);
-            let help = if plant.scalar == Scalar::F32 { "write `scalar = \"f64\"`, or scale the states" } else { "scale the states" };
+            let help = if plant.scalar == Scalar::F32 {
+                "write `scalar = \"f64\"`, or scale the states"
+            } else {
+                "scale the states"
+            };
             found.push(error.label(format!("this has {size:e} in it")).help(help));
         }
     };

@@ -36,7 +36,8 @@ impl<'a> Lowering<'a> {
         let newest = self.builder.advance(before, window);
         self.known_before_the_samples(&mut signals, before);
         let predicted: Vec<Value> = (0..outputs).map(|o| self.predict(o, &signals.values)).collect();
-        let last: Vec<Value> = self.cells.outputs.clone().iter().map(|ring| self.builder.read_ring(*ring, before)).collect();
+        let last: Vec<Value> =
+            self.cells.outputs.clone().iter().map(|ring| self.builder.read_ring(*ring, before)).collect();
         let candidates: Vec<Value> = (0..outputs)
             .map(|o| {
                 let instead = self.builder.select(converged, predicted[o], last[o]);
@@ -62,7 +63,8 @@ impl<'a> Lowering<'a> {
             .collect();
 
         lost.extend(self.abandoned(&good));
-        let (late, on_time): (Vec<_>, Vec<_>) = good.into_iter().enumerate().partition(|(o, _)| self.functional.delays[*o] > 0);
+        let (late, on_time): (Vec<_>, Vec<_>) =
+            good.into_iter().enumerate().partition(|(o, _)| self.functional.delays[*o] > 0);
         let on_time: Vec<Value> = on_time.into_iter().map(|(_, good)| good).chain(signals.now).collect();
         let newest_good = self.all(&on_time);
         let samples_good = late.iter().fold(newest_good, |all, (_, good)| self.builder.and(all, *good));
@@ -163,7 +165,11 @@ impl<'a> Lowering<'a> {
                 continue;
             }
             let (value, good) = self.signal(s, signals, &Moment::Now, before, samples);
-            if signal.part == Part::Runs { signals.now.extend(good) } else { signals.since.extend(good) }
+            if signal.part == Part::Runs {
+                signals.now.extend(good);
+            } else {
+                signals.since.extend(good);
+            }
             signals.values[s] = Some(value);
         }
     }

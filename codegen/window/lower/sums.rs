@@ -52,7 +52,11 @@ pub fn estimate(
     for tracks in tracks.chunks(tracks.len().div_ceil(loops).max(1)) {
         let mut window = Window { plant, tracks, apart, sums, len, slot: newest };
         for (begin, end) in segments(tracks) {
-            if end - begin >= SHORTEST_LOOP { window.in_a_loop(b, begin, end) } else { window.written_out(b, begin, end) }
+            if end - begin >= SHORTEST_LOOP {
+                window.in_a_loop(b, begin, end);
+            } else {
+                window.written_out(b, begin, end);
+            }
         }
         sums = window.sums;
     }
@@ -74,7 +78,10 @@ fn pairs(tracks: &[Track]) -> usize {
 
 /// Ages between which no signal begins or ends.
 fn segments(tracks: &[Track]) -> Vec<(usize, usize)> {
-    let ends = tracks.iter().filter(|t| !t.weights.ages().is_empty()).flat_map(|t| [t.weights.ages().start, t.weights.ages().end]);
+    let ends = tracks
+        .iter()
+        .filter(|t| !t.weights.ages().is_empty())
+        .flat_map(|t| [t.weights.ages().start, t.weights.ages().end]);
     let ends: Vec<usize> = ends.chain([0]).collect::<BTreeSet<_>>().into_iter().collect();
     ends.windows(2).map(|pair| (pair[0], pair[1])).collect()
 }
@@ -98,7 +105,8 @@ impl Window<'_> {
 
     /// Tracks with weights at an age, each with its states.
     fn active(&self, age: usize) -> Vec<(usize, Vec<usize>)> {
-        let states = |t: &Track| (0..self.plant.states.len()).filter(|i| t.weights.columns[*i].is_some()).collect::<Vec<_>>();
+        let states =
+            |t: &Track| (0..self.plant.states.len()).filter(|i| t.weights.columns[*i].is_some()).collect::<Vec<_>>();
         let here = self.tracks.iter().enumerate().filter(|(_, t)| t.weights.ages().contains(&age));
         here.map(|(place, t)| (place, states(t))).filter(|(_, states)| !states.is_empty()).collect()
     }
@@ -131,14 +139,19 @@ impl Window<'_> {
         }
         let columns: Vec<(usize, usize)> =
             active.iter().flat_map(|(track, states)| states.iter().map(|state| (*track, *state))).collect();
-        let docs = columns
-            .iter()
-            .map(|(track, state)| format!("{} from {}", self.plant.states[*state].label.name, self.tracks[*track].name));
-        let rows = (begin..end).map(|age| columns.iter().map(|(track, state)| self.weight(*track, *state, age)).collect());
+        let docs = columns.iter().map(|(track, state)| {
+            format!("{} from {}", self.plant.states[*state].label.name, self.tracks[*track].name)
+        });
+        let rows =
+            (begin..end).map(|age| columns.iter().map(|(track, state)| self.weight(*track, *state, age)).collect());
         let doc = format!("weights by age, from age {begin}");
         let table = b.table("WINDOW", &doc, docs.collect(), rows.collect());
-        let keys: Vec<(usize, usize)> =
-            columns.iter().map(|(track, state)| self.key(*state, *track)).collect::<BTreeSet<_>>().into_iter().collect();
+        let keys: Vec<(usize, usize)> = columns
+            .iter()
+            .map(|(track, state)| self.key(*state, *track))
+            .collect::<BTreeSet<_>>()
+            .into_iter()
+            .collect();
         let mut starts: Vec<Value> =
             keys.iter().map(|key| self.sums.get(key).copied().unwrap_or_else(|| b.float(0.0))).collect();
         starts.push(self.slot);
