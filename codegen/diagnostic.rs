@@ -261,8 +261,7 @@ pub mod codes {
         OUT_OF_RANGE "DB0401" "a constant outside the target's float range"
         TIME_RESOLUTION "DB0402" "time that loses resolution in the target's float"
         WINDOW_TOO_LONG "DB0403" "a window too long to design"
-        GAIN_LARGE "DB0404" "gains that amplify rounding beyond use"
-        STALE "DB0501" "generated files that differ from what would be generated"
+        FLOAT_RESOLUTION "DB0404" "samples that the target's float resolves more coarsely than their noise"
     }
 }
 

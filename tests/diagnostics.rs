@@ -67,12 +67,9 @@ fn every_code_is_covered() {
     let cannot = [
         // A design whose estimate is biased although its constants have settled: a mistake of the tool.
         codes::CHECK_FAILED,
-        // No method gives it yet; gains beyond the float's range are `OUT_OF_RANGE`.
-        codes::GAIN_LARGE,
-        // Compares files on disk; the command line's.
-        codes::STALE,
-        // A warning, and no mistake: see `warnings_are_given`.
+        // Warnings, and no mistakes: see `warnings_are_given`.
         codes::TIME_RESOLUTION,
+        codes::FLOAT_RESOLUTION,
     ];
     let reports = bad_reports();
     let seen: BTreeSet<&str> = reports.iter().flat_map(|(_, report)| &report.diagnostics).map(|d| d.code).collect();
@@ -122,6 +119,16 @@ fn warnings_are_given() {
     let report = report("inverted_cart", &unused);
     let found: Vec<_> = report.diagnostics.iter().map(|d| (d.code, d.level)).collect();
     assert_eq!(found, [(codes::TIME_RESOLUTION, Level::Warning), (codes::UNUSED, Level::Warning)]);
+}
+
+/// In single precision, an encoder of many turns cannot be as good as its noise says.
+#[test]
+fn a_coarse_float_is_a_warning() {
+    let drive = files("specs", "toml").into_iter().find(|(stem, _)| stem == "two_mass_drive").unwrap().1;
+    let coarse = drive.replace("noise = 5e-5", "noise = 1e-5").replace("\"f64\"", "\"f32\"");
+    let report = report("two_mass_drive", &coarse);
+    let found: Vec<_> = report.diagnostics.iter().map(|d| (d.code, d.level)).collect();
+    assert_eq!(found, [(codes::FLOAT_RESOLUTION, Level::Warning)]);
 }
 
 /// A case that takes longer misses a bound; a loaded machine is no reason for this much.

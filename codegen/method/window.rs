@@ -114,7 +114,7 @@ impl Keyed for Keys {
             fir: Some(fir(plant, &functional)),
             certificate,
             numerics,
-            warnings: time_warning(plant).into_iter().collect(),
+            warnings: time_warning(plant).into_iter().chain(resolution_warnings(plant)).collect(),
             shape: Shape::Window(functional),
         })
     }
@@ -306,6 +306,27 @@ fn time_warning(plant: &Plant) -> Option<Diagnostic> {
 
 fn constants(model: &Model) -> Vec<NamedMatrix> {
     vec![NamedMatrix { letter: "Phi", rows: model.phi.to_f64() }, NamedMatrix { letter: "C", rows: model.c.to_f64() }]
+}
+
+/// Samples that lose more by being stored in single precision than the noise that is declared.
+fn resolution_warnings(plant: &Plant) -> Vec<Diagnostic> {
+    let single = plant.scalar == crate::program::Scalar::F32;
+    plant.outputs.iter().filter(|_| single).filter_map(resolution_warning).collect()
+}
+
+fn resolution_warning(output: &crate::plant::Output) -> Option<Diagnostic> {
+    let (low, high) = output.range.as_ref()?;
+    let largest = low.to_f64().ok()?.abs().max(high.to_f64().ok()?.abs());
+    let noise = output.noise.as_ref()?.to_f64().ok().filter(|noise| *noise > 0.0)?;
+    // A single has 24 bits; storing rounds by up to half of the last one.
+    let rounding = largest * f64::from(f32::EPSILON) / 2.0;
+    let name = &output.label.name;
+    let message = format!("f32 stores `{name}` more coarsely than its noise");
+    let warning = Diagnostic::warning(codes::FLOAT_RESOLUTION, output.label.span.clone(), message)
+        .label(format!("rounded by up to {rounding:.1e} within its range, noise {noise:.1e}"))
+        .measured(rounding)
+        .help("write `scalar = \"f64\"`, or a smaller range");
+    (rounding > noise).then_some(warning)
 }
 
 /// K and M by age, for reports.
