@@ -13,7 +13,7 @@ mod svg;
 mod thin;
 
 use std::fs;
-use std::io::{self, IsTerminal as _, Read as _};
+use std::io::{self, IsTerminal as _, Read as _, Write as _};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -163,15 +163,15 @@ enum Failure {
 
 /// Runs the program.
 pub fn main() -> ExitCode {
-    let arguments = match Arguments::try_parse() {
-        Ok(arguments) => arguments,
-        Err(error) => {
-            let code = if error.use_stderr() { 3 } else { 0 };
+    let ended = match Arguments::try_parse() {
+        Ok(arguments) => dispatch(&arguments.command),
+        Err(error) if error.use_stderr() => {
             let _ = error.print();
-            return ExitCode::from(code);
+            return ExitCode::from(3);
         }
+        Err(help) => printed(help.print()).map(|()| End::Fine),
     };
-    match dispatch(&arguments.command) {
+    match ended {
         Ok(End::Fine) => ExitCode::SUCCESS,
         Ok(End::Wrong) => ExitCode::from(1),
         Ok(End::Differs) => ExitCode::from(2),
@@ -222,7 +222,17 @@ fn show(report: &Report) {
 }
 
 /// Prints to standard output; a closed pipe is not an error.
-fn print(text: &str) {
-    use io::Write as _;
-    let _ = io::stdout().write_all(text.as_bytes());
+fn print(text: &str) -> Result<(), Failure> {
+    let mut out = io::stdout();
+    printed(out.write_all(text.as_bytes()).and_then(|()| out.flush()))
+}
+
+/// How printing went: a reader that has seen enough is fine, a full disk is not.
+fn printed(result: io::Result<()>) -> Result<(), Failure> {
+    match result {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
+            Err(Failure::Wrong(format!("cannot write standard output: {error}")))
+        }
+        _ => Ok(()),
+    }
 }

@@ -47,7 +47,7 @@ pub fn show(value: f64) -> String {
 }
 
 fn exponent_of(text: &str) -> Option<i32> {
-    text.parse::<i32>().ok().filter(|e| e.abs() <= MAX_EXPONENT)
+    text.parse::<i32>().ok().filter(|e| e.unsigned_abs() <= MAX_EXPONENT.unsigned_abs())
 }
 
 fn too_far(text: &str) -> String {
@@ -73,7 +73,9 @@ mod tests {
     /// What is no decimal, or has no sensible size, is refused with the reason.
     #[test]
     fn the_rest_is_refused() {
-        for text in ["", "-", ".", "1e", "1e401", "1e99999999999", "inf", "nan", "0x10", &"9".repeat(401)] {
+        for text in
+            ["", "-", ".", "1e", "1e401", "1e99999999999", "1e-2147483648", "inf", "nan", "0x10", &"9".repeat(401)]
+        {
             assert!(parse(text).is_err(), "{text:.40}");
         }
     }

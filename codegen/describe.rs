@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 
 use crate::diagnostic::Source;
 use crate::emit::Header;
+use crate::expr::Symbol;
 use crate::output::Language;
 use crate::plant::Plant;
 use crate::program::cost::cost;
@@ -32,7 +33,7 @@ pub const CONTRACT: [&str; 10] = [
 /// The header of a file.
 pub fn header(generated: &Generated, source: &Source, language: Language) -> Header {
     let (plant, design) = (&generated.plant, &generated.design);
-    let mut lines = provenance(plant, source, language);
+    let mut lines = provenance(generated, source, language);
     lines.push(String::new());
     lines.extend(equations(plant));
     lines.push(format!("Method     {}: {}", design.method, design.summary));
@@ -65,7 +66,9 @@ fn title(plant: &Plant) -> String {
     }
 }
 
-fn provenance(plant: &Plant, source: &Source, language: Language) -> Vec<String> {
+fn provenance(generated: &Generated, source: &Source, language: Language) -> Vec<String> {
+    let plant = &generated.plant;
+    let scalar = generated.settings.scalar.map_or_else(String::new, |scalar| format!(" --scalar {scalar}"));
     let name = &plant.name;
     let lang = match language {
         Language::Rust => "rust",
@@ -74,7 +77,7 @@ fn provenance(plant: &Plant, source: &Source, language: Language) -> Vec<String>
     };
     let mut lines = vec![
         format!("{GENERATED_BY}{VERSION} from {name}.toml (spec {:016x}).", fingerprint(&source.text)),
-        format!("  deadbeat generate {name}.toml --lang {lang} --out ."),
+        format!("  deadbeat generate {name}.toml --lang {lang}{scalar} --out ."),
         "Do not edit: change the specification and generate again; `deadbeat verify` shows differences.".into(),
     ];
     if !plant.origin.is_empty() {
@@ -180,11 +183,22 @@ fn certificate(generated: &Generated) -> Vec<String> {
         let gains = certificate.disturbance_gain_l1.iter().map(|g| short(g[d])).collect();
         row(format!("gain from {}, worst case", disturbance.label.name), gains);
     }
-    if certificate.error_bound.iter().any(Option::is_some) {
+    let bounded = certificate.error_bound.iter().any(Option::is_some);
+    if bounded {
+        let from = if plant.disturbances.is_empty() { "noise" } else { "noise and disturbances" };
         let bounds = certificate.error_bound.iter().map(|b| b.map_or("-".into(), short)).collect();
-        row("error bound, declared noise".into(), bounds);
+        row(format!("error bound from {from}"), bounds);
     }
-    align(&rows)
+    let mut lines = align(&rows);
+    if !bounded && plant.outputs.iter().all(|o| o.noise.is_some()) {
+        lines.push("  no error bound: over the declared ranges, a nonlinear term is as steep as can be".into());
+    }
+    if !plant.discrete && plant.injections.iter().any(|i| i.symbols().iter().any(|s| !matches!(s, Symbol::Input(_)))) {
+        lines.push(
+            "  on top: nonlinear terms are straight lines between samples, second order in the sample time".into(),
+        );
+    }
+    lines
 }
 
 /// Four significant digits.

@@ -43,7 +43,7 @@ pub struct NamedMatrix {
     pub rows: Vec<Vec<f64>>,
 }
 
-/// The window functional for reports: `x_k = sum_j K[j] y_{k-j} + M[j] w_{k-j}`.
+/// The window functional for reports: `x_k = sum_j K[j] y_{k-j} + M[j] w_{k-j} + c`.
 #[derive(Clone, Debug)]
 pub struct Fir {
     /// The columns of M: inputs and nonlinear injections.
@@ -52,6 +52,8 @@ pub struct Fir {
     pub k: Vec<Vec<Vec<f64>>>,
     /// n x known for age 0 … N.
     pub m: Vec<Vec<Vec<f64>>>,
+    /// n: what the constant terms of the plant add.
+    pub c: Vec<f64>,
 }
 
 /// What is promised of the estimate.

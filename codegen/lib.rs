@@ -4,8 +4,8 @@
 //! spec text -> Spec -> Plant -> Design -> Program -> .rs, .h + .c, .step
 //! ```
 //!
-//! Text in, an ordered map of file name to text out; only [`build`] and the command line touch the
-//! disk. Start at [`Generator`].
+//! Text in, a list of files out; only [`build`], [`Output::write_to`] and [`Output::verify`], the macro and
+//! the command line touch the disk. Start at [`Generator`].
 
 pub mod decimal;
 pub mod describe;
@@ -52,6 +52,8 @@ pub struct Generated {
     pub design: Design,
     /// What a step does.
     pub program: Program,
+    /// What was said beside the specification.
+    pub settings: Settings,
     /// Warnings; no errors.
     pub report: Report,
 }
@@ -85,7 +87,7 @@ impl Generator {
         if let Err(error) = program::check::check(&program) {
             unreachable!("a lowering made an invalid Program: {error}");
         }
-        Ok(Generated { plant, design, program, report: report(warnings) })
+        Ok(Generated { plant, design, program, settings: self.settings, report: report(warnings) })
     }
 
     /// Everything that stands against the specification, and the warnings.

@@ -140,6 +140,40 @@ fn usage() {
     assert_eq!(desk.names("."), ["dc_motor.toml", "pendulum.toml"], "nothing was written");
 }
 
+/// Claim: what cannot be printed is a failure, except that a reader has seen enough.
+#[cfg(target_os = "linux")]
+#[test]
+fn printing() {
+    let desk = Desk::new("printing");
+    let ended = |line: &str, out: Stdio| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_deadbeat"));
+        command.current_dir(&desk.0).args(line.split_whitespace()).stdin(Stdio::null());
+        let output = command.stdout(out).stderr(Stdio::piped()).spawn().and_then(std::process::Child::wait_with_output);
+        let output = output.expect("it ends");
+        let err = String::from_utf8(output.stderr).expect("text");
+        Ended { code: output.status.code(), out: String::new(), err }
+    };
+    desk.write("log.csv", &recording(&swing(100)));
+    for line in [
+        "list",
+        "--help",
+        "check pendulum.toml",
+        "design pendulum.toml",
+        "run pendulum.toml --log log.csv",
+        "run pendulum.toml --log log.csv --plot -",
+        "run pendulum.toml --log log.csv --out -",
+    ] {
+        let full = fs::File::options().write(true).open("/dev/full").expect("a full disk");
+        ended(line, full.into()).is(1).complains(&["error: cannot write"]);
+    }
+    for line in ["list", "--help", "design pendulum.toml"] {
+        let (reader, writer) = std::io::pipe().expect("a pipe");
+        drop(reader);
+        let ended = ended(line, writer.into()).is(0);
+        assert!(!ended.err.contains("error"), "{line}: {}", ended.err);
+    }
+}
+
 /// Claim: `check` counts what is fine, says the rest on standard error, and gives JSON on demand.
 #[test]
 fn check() {
@@ -464,6 +498,108 @@ fn run_names_mistakes_and_leaves_nothing() {
     assert!(!desk.names(".").iter().any(|name| name.starts_with("est")), "{:?}", desk.names("."));
 }
 
+/// Claim: a recording whose rows each look near the sample time is still refused when its mean rate
+/// is another one, with the measured spacing and a way out; jitter, a drifting clock and gaps are
+/// fine and make no missing samples of their own.
+#[test]
+fn run_refuses_another_rate() {
+    let desk = Desk::new("rate");
+    let at = |time: &dyn Fn(f64) -> f64| {
+        let rows: Vec<String> = (0..3000).map(|k| format!("{:.9},3.1", time(f64::from(k) * 1e-3))).collect();
+        recording(&rows)
+    };
+    // Line 102 is the first behind the header and 100 rows; 2 % exceeds 2 samples + 1 % behind 200 steps.
+    for (factor, line, spacing) in [(1.3, 102, "0.001300 s"), (0.8, 102, "0.000800 s"), (1.02, 203, "0.001020 s")] {
+        desk.write("log.csv", &at(&|t| 5.0 + factor * t));
+        let words =
+            [&format!("log.csv:{line}:"), spacing, "sample time is 0.001 s", "help:", "`sample_time`", "resample"];
+        desk.run("run pendulum.toml --log log.csv --out est.csv").is(1).complains(&words);
+        assert!(!desk.path("est.csv").exists(), "{factor}");
+    }
+    // Behind a gap too: its samples are steps.
+    desk.write("log.csv", &at(&|t| if t < 1.5 { t } else { t + 0.3 + 0.3 * (t - 1.5) }));
+    desk.run("run pendulum.toml --log log.csv").is(1).complains(&["log.csv:", "in the mean", "help:"]);
+
+    for factor in [1.001, 0.999] {
+        desk.write("log.csv", &at(&|t| 1.7e9 + factor * t));
+        let out = desk.run("run pendulum.toml --log log.csv").is(0).out;
+        assert!(out.contains("3000 rows") && !out.contains("leaves out"), "{factor}: {out}");
+    }
+    desk.write("log.csv", &at(&|t| t + 2e-4 * (1e4 * t).sin()));
+    assert!(!desk.run("run pendulum.toml --log log.csv").is(0).out.contains("leaves out"));
+    desk.write("log.csv", &at(&|t| 1.0005 * if t < 1.5 { t } else { t + 0.3 }));
+    assert!(desk.run("run pendulum.toml --log log.csv").is(0).out.contains("300 samples that the recording's time"));
+}
+
+/// Claim: what was never compared has no error, rather than a perfect one, and the figure counts the
+/// rows that were compared.
+#[test]
+fn run_scores_only_what_it_compared() {
+    let desk = Desk::new("scores");
+    // The estimate is converged in rows 50 to 299; theta is compared in 50 to 149, omega in those of `omega`.
+    let write = |theta: &dyn Fn(usize) -> bool, omega: &dyn Fn(usize) -> bool| {
+        let cell = |there: bool| if there { "0.5" } else { "" };
+        let rows = swing(300).into_iter().enumerate();
+        let rows: Vec<String> = rows.map(|(k, row)| format!("{row},{},{}", cell(theta(k)), cell(omega(k)))).collect();
+        desk.write("log.csv", &format!("t,theta,angle,omega\n{}\n", rows.join("\n")));
+    };
+    let line = "run pendulum.toml --log log.csv --reference theta=angle";
+    write(&|k| k < 150, &|k| k < 50);
+    let json = desk.run(&format!("{line} --format json")).is(0).json();
+    assert_eq!(json["errors"]["omega"], serde_json::json!({ "rms": null, "max": null }));
+    assert!(json["errors"]["theta"]["rms"].is_f64() && json["errors"]["theta"]["max"].is_f64(), "{json}");
+    let text = desk.run(&format!("{line} --plot out.svg")).is(0).out;
+    let row = |name: &str| {
+        let found = text.lines().find(|line| line.starts_with(name)).unwrap_or_else(|| panic!("{name}\n{text}"));
+        found.split_whitespace().map(str::to_owned).collect::<Vec<_>>()
+    };
+    assert_eq!(row("omega")[1..], ["-", "-", "0", "rad/s"]);
+    assert_eq!(row("theta")[3..], ["100", "rad"]);
+    let words = |svg: &str| {
+        let start = svg.find("<desc").expect("a description");
+        svg[start..].split("</desc>").next().expect("it ends").split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    let svg = desk.read("out.svg");
+    assert!(svg.contains("- RMS, - maximum"), "the panel's title");
+    let said = words(&svg);
+    for part in ["error over converged rows: theta ", " rad over 100; ", "omega - RMS, - maximum rad/s over 0"] {
+        assert!(said.contains(part), "{part}\n{said}");
+    }
+
+    write(&|k| k < 150, &|k| k < 150);
+    desk.run(&format!("{line} --plot out.svg")).is(0);
+    let said = words(&desk.read("out.svg"));
+    assert!(said.contains("error over 100 converged rows: theta "), "{said}");
+}
+
+/// Claim: `run` refuses to write a file that it reads, or one file twice, under whatever name.
+#[test]
+fn run_overwrites_nothing_that_it_reads() {
+    let desk = Desk::new("overwrite");
+    let (log, spec) = (recording(&swing(300)), desk.read("pendulum.toml"));
+    desk.write("log.csv", &log);
+    fs::create_dir(desk.path("sub")).expect("a folder");
+    let whole = desk.path("log.csv");
+    for (rest, words) in [
+        ("--out log.csv".to_owned(), ["--out", "--log"]),
+        ("--out ./sub/../log.csv".to_owned(), ["--out", "--log"]),
+        (format!("--plot {}", whole.display()), ["--plot", "--log"]),
+        ("--out ./pendulum.toml".to_owned(), ["--out", "the specification"]),
+        ("--plot pendulum.toml".to_owned(), ["--plot", "the specification"]),
+        ("--out new --plot new".to_owned(), ["--plot", "--out"]),
+        ("--out new --plot ./sub/../new".to_owned(), ["--plot", "--out"]),
+        ("--out nosuch/new --plot nosuch/new".to_owned(), ["--plot", "--out"]),
+    ] {
+        let ended = desk.run(&format!("run pendulum.toml --log log.csv {rest}")).is(3).complains(&words);
+        assert!(ended.out.is_empty(), "{rest}: {}", ended.out);
+    }
+    assert_eq!((desk.read("log.csv"), desk.read("pendulum.toml")), (log.clone(), spec));
+    assert_eq!(desk.names("."), ["dc_motor.toml", "log.csv", "pendulum.toml", "sub"], "nothing was written");
+    // Standard input is not standard output, and a file of that name elsewhere is another file.
+    desk.fed("run pendulum.toml --log - --out -", &log).is(0);
+    desk.run("run pendulum.toml --log log.csv --out sub/log.csv").is(0);
+}
+
 /// Claim: samples that the recording's time leaves out are missing samples, and are counted.
 #[test]
 fn run_bridges_gaps_in_time() {
@@ -559,4 +695,16 @@ fn run_on_the_recording_of_the_repository() {
     let ended = desk.run(&format!("run pendulum.toml --log {} --format json", log.display())).is(0);
     let json = ended.json();
     assert!(json["rows"].as_u64() > Some(50_000) && json["rows"].as_u64() > json["converged_rows"].as_u64());
+}
+
+/// Claim: the time may have another name, and a recording without one is said to be taken at the sample time.
+#[test]
+fn run_finds_the_time_or_says_that_there_is_none() {
+    let desk = Desk::new("time");
+    let rows: Vec<String> = (0..200).map(|k| format!("{:.3},3.1", f64::from(2 * k) * 1e-3)).collect();
+    desk.write("log.csv", &recording(&rows).replacen("t,", "seconds,", 1));
+    let out = desk.run("run pendulum.toml --log log.csv").is(0).out;
+    assert!(out.contains("no column `t`: its rows are taken to be 0.001 s apart"), "{out}");
+    desk.run("run pendulum.toml --log log.csv --map t=seconds").is(1).complains(&["sample time is 0.001 s"]);
+    desk.run("run pendulum.toml --log log.csv --map t=minutes").is(1).complains(&["minutes"]);
 }

@@ -51,11 +51,11 @@ pub fn check(specs: &[PathBuf], common: &Common) -> Result<End, Failure> {
     if common.json() {
         let all: Vec<Value> =
             reports.iter().flat_map(|r| r.to_json().as_array().cloned().unwrap_or_default()).collect();
-        print(&format!("{:#}\n", Value::Array(all)));
+        print(&format!("{:#}\n", Value::Array(all)))?;
     } else {
         reports.iter().for_each(show);
         let fine = reports.iter().filter(|r| !r.has_errors()).count();
-        print(&format!("{fine} of {} fine\n", reports.len()));
+        print(&format!("{fine} of {} fine\n", reports.len()))?;
     }
     Ok(if reports.iter().any(Report::has_errors) { End::Wrong } else { End::Fine })
 }
@@ -70,7 +70,7 @@ pub fn design(spec: &PathBuf, common: &Common) -> Result<End, Failure> {
         }
     };
     show(&generated.report);
-    print(&if common.json() { format!("{:#}\n", report::json(&generated)) } else { report::text(&generated) });
+    print(&if common.json() { format!("{:#}\n", report::json(&generated)) } else { report::text(&generated) })?;
     Ok(End::Fine)
 }
 
@@ -91,7 +91,7 @@ pub fn generate(specs: &[PathBuf], target: &Target, common: &Common) -> Result<E
         "nothing has changed\n".into()
     } else {
         names.iter().fold(String::new(), |text, name| text + "wrote " + name + "\n")
-    });
+    })?;
     Ok(End::Fine)
 }
 
@@ -108,7 +108,7 @@ pub fn verify(specs: &[PathBuf], target: &Target, common: &Common) -> Result<End
         format!("{} is up to date\n", target.out.display())
     } else {
         differences.iter().map(difference_text).collect()
-    });
+    })?;
     Ok(if differences.is_empty() { End::Fine } else { End::Differs })
 }
 
@@ -142,12 +142,15 @@ pub fn list(method: Option<&str>, common: &Common) -> Result<End, Failure> {
         let method = METHODS.iter().find(|m| m.name == name);
         let unknown = || Failure::Misused(format!("there is no method `{name}`; the methods are: {}", known()));
         let method = method.ok_or_else(unknown)?;
-        print(&if common.json() { format!("{:#}\n", method_json(method)) } else { page(method) });
+        print(&if common.json() { format!("{:#}\n", method_json(method)) } else { page(method) })?;
         return Ok(End::Fine);
     }
     if common.json() {
         let methods: Vec<Value> = METHODS.iter().map(method_json).collect();
-        print(&format!("{:#}\n", json!({ "methods": methods, "scalars": ["f32", "f64"], "languages": ["rust", "c"] })));
+        print(&format!(
+            "{:#}\n",
+            json!({ "methods": methods, "scalars": ["f32", "f64"], "languages": ["rust", "c"] })
+        ))?;
         return Ok(End::Fine);
     }
     let mut text = String::from("Methods\n");
@@ -160,7 +163,7 @@ pub fn list(method: Option<&str>, common: &Common) -> Result<End, Failure> {
     text += "Targets\n  rust, f32 or f64   no_std, no allocation; needs the crate `deadbeat`\n";
     text += "  c, f32 or f64      C99, also C++ and MSVC; needs nothing\n";
     text += "`deadbeat list METHOD` prints a method's page.\n";
-    print(&text);
+    print(&text)?;
     Ok(End::Fine)
 }
 

@@ -122,22 +122,23 @@ impl Curves {
     /// The errors in words.
     fn sentence(&self, generated: &Generated, replay: &Replay) -> String {
         let named = generated.plant.states.iter().zip(&replay.errors).zip(&self.states);
-        let errors: Vec<String> = named
+        let errors: Vec<(u64, String)> = named
             .filter(|(_, state)| state.reference.is_some())
             .map(|((state, errors), _)| {
-                format!(
-                    "{} {} RMS, {} maximum {}",
-                    state.label.name,
-                    short(errors.rms()),
-                    short(errors.max),
-                    state.label.unit
-                )
+                let (rms, max) = errors.shown();
+                (errors.rows, format!("{} {rms} RMS, {max} maximum {}", state.label.name, state.label.unit))
             })
             .collect();
-        match errors.as_slice() {
-            [] => format!("{} rows, nothing to compare with", replay.rows),
-            list => format!("error over {} converged rows: {}", replay.converged_rows, list.join("; ").trim_end()),
+        let Some((rows, _)) = errors.first() else {
+            return format!("{} rows, nothing to compare with", replay.rows);
+        };
+        // References with gaps of their own are compared over rows of their own.
+        if errors.iter().all(|(other, _)| other == rows) {
+            let list: Vec<&str> = errors.iter().map(|(_, text)| text.as_str()).collect();
+            return format!("error over {rows} converged rows: {}", list.join("; ").trim_end());
         }
+        let list: Vec<String> = errors.iter().map(|(rows, text)| format!("{} over {rows}", text.trim_end())).collect();
+        format!("error over converged rows: {}", list.join("; "))
     }
 
     /// One panel for the quantity and, with a reference, one for the error.
@@ -171,10 +172,10 @@ impl Curves {
                 marker: None,
                 band: None,
             };
-            let errors = &replay.errors[j];
+            let (rms, max) = replay.errors[j].shown();
             panels.push(Panel {
                 y_label: format!("error of {}{unit}", label.name),
-                title: format!("{} RMS, {} maximum", short(errors.rms()), short(errors.max)),
+                title: format!("{rms} RMS, {max} maximum"),
                 cells: vec![cell(&error.whole), cell(&error.beginning)],
             });
         }

@@ -4,6 +4,7 @@
 //! therefore gets the held inputs of the row before and the first-order inputs of this one. Where
 //! the recording's time jumps over samples, the step is told that they are missing.
 
+use deadbeat_codegen::describe::short;
 use deadbeat_codegen::plant::{Hold, Plant};
 use deadbeat_codegen::program::interp::Interpreter;
 use deadbeat_codegen::program::{Program, Status};
@@ -12,8 +13,8 @@ use deadbeat_codegen::program::{Program, Status};
 #[derive(Clone, Debug, Default)]
 pub struct Errors {
     sum_of_squares: f64,
-    /// Largest magnitude.
-    pub max: f64,
+    /// Largest magnitude; `None` when nothing was compared.
+    pub max: Option<f64>,
     /// Rows compared.
     pub rows: u64,
 }
@@ -21,14 +22,20 @@ pub struct Errors {
 impl Errors {
     fn add(&mut self, error: f64) {
         self.sum_of_squares += error * error;
-        self.max = self.max.max(error.abs());
+        self.max = Some(self.max.map_or(error.abs(), |max| max.max(error.abs())));
         self.rows += 1;
     }
 
-    /// Root mean square; 0 when nothing was compared.
+    /// Root mean square; `None` when nothing was compared.
     #[expect(clippy::cast_precision_loss, reason = "a recording has fewer than 2^53 rows")]
-    pub fn rms(&self) -> f64 {
-        if self.rows == 0 { 0.0 } else { (self.sum_of_squares / self.rows as f64).sqrt() }
+    pub fn rms(&self) -> Option<f64> {
+        (self.rows > 0).then(|| (self.sum_of_squares / self.rows as f64).sqrt())
+    }
+
+    /// Root mean square and largest magnitude for people, `-` when nothing was compared.
+    pub fn shown(&self) -> (String, String) {
+        let shown = |value: Option<f64>| value.map_or_else(|| "-".into(), short);
+        (shown(self.rms()), shown(self.max))
     }
 }
 
@@ -62,6 +69,8 @@ pub struct Replay<'a> {
     interpreter: Interpreter,
     held: Vec<f64>,
     previous: Option<Row>,
+    /// Of the first row, s.
+    start: Option<f64>,
     steps: u64,
     odd_rows: u32,
     /// Rows fed.
@@ -76,8 +85,17 @@ pub struct Replay<'a> {
 
 /// Rows in a row whose spacing does not fit before the recording is refused.
 const ODD_ROWS: u32 = 8;
+/// Rows before the recording's rate is compared with the sample time: until then, jitter hides it.
+const RATE_ROWS: u64 = 100;
+/// Samples by which the recording's time and the steps may differ, whatever the length.
+const RATE_SAMPLES: f64 = 2.0;
+/// Share of the steps by which they may differ besides: a drive's clock drifts by up to 0.1 %.
+const RATE_SHARE: f64 = 0.01;
 /// Samples that one jump of the time may leave out.
 const LARGEST_GAP: f64 = 1e6;
+
+/// What to do about a recording at another rate.
+const RATE_HELP: &str = "help: set the specification's `sample_time` to the recording's, or resample the recording";
 
 impl<'a> Replay<'a> {
     /// Starts with nothing seen.
@@ -87,6 +105,7 @@ impl<'a> Replay<'a> {
             interpreter: Interpreter::new(program),
             held: vec![0.0; plant.inputs.len()],
             previous: None,
+            start: None,
             steps: 0,
             odd_rows: 0,
             rows: 0,
@@ -96,9 +115,15 @@ impl<'a> Replay<'a> {
         }
     }
 
+    /// Whether the recording has times.
+    pub fn timed(&self) -> bool {
+        self.start.is_some()
+    }
+
     /// One row; an error says why its time does not fit.
     pub fn feed(&mut self, row: &Row) -> Result<Sample, String> {
         let gap = self.gap(row)?;
+        self.check_rate(row, gap)?;
         let previous = self.previous.take();
         let mut estimate = vec![0.0; self.plant.states.len()];
         if let Some(previous) = &previous {
@@ -116,6 +141,7 @@ impl<'a> Replay<'a> {
         let t = row.t.unwrap_or_else(|| self.now());
         self.steps += 1;
         self.rows += 1;
+        self.start = self.start.or(row.t);
         self.previous = Some(row.clone());
         Ok(Sample { t, estimate, status })
     }
@@ -171,8 +197,29 @@ impl<'a> Replay<'a> {
         self.odd_rows = if fits { 0 } else { self.odd_rows + 1 };
         if self.odd_rows == ODD_ROWS {
             let spacing = now - before;
-            return Err(format!("rows are {spacing:.6} s apart, the specification's sample time is {h} s"));
+            return Err(format!(
+                "rows are {spacing:.6} s apart, the specification's sample time is {h} s\n{RATE_HELP}"
+            ));
         }
         Ok((samples.round() as u64).max(1))
+    }
+
+    /// Refuses a row `gap` samples behind the previous one when the time since the first row is not
+    /// that of the steps: every row may be near the sample time, and the recording still be at
+    /// another rate.
+    #[expect(clippy::cast_precision_loss, reason = "a recording has fewer than 2^53 samples")]
+    fn check_rate(&self, row: &Row, gap: u64) -> Result<(), String> {
+        let Some((start, now)) = self.start.zip(row.t).filter(|_| self.rows >= RATE_ROWS) else { return Ok(()) };
+        let h = self.plant.sample_time_s();
+        // The first row is at step 0, the previous one at `self.steps - 1`.
+        let steps = (self.steps - 1 + gap) as f64;
+        if ((now - start) / h - steps).abs() <= RATE_SAMPLES + RATE_SHARE * steps {
+            return Ok(());
+        }
+        let spacing = (now - start) / steps;
+        Err(format!(
+            "samples are {spacing:.6} s apart in the mean of {steps} since the first row, \
+             the specification's sample time is {h} s\n{RATE_HELP}"
+        ))
     }
 }

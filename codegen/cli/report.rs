@@ -20,7 +20,7 @@ pub fn json(generated: &Generated) -> Value {
     };
     let constants: Map<String, Value> =
         design.constants.iter().map(|matrix| (matrix.letter.to_owned(), json!(matrix.rows))).collect();
-    let fir = design.fir.as_ref().map(|fir| json!({ "known": fir.known, "K": fir.k, "M": fir.m }));
+    let fir = design.fir.as_ref().map(|fir| json!({ "known": fir.known, "K": fir.k, "M": fir.m, "c": fir.c }));
     let cost = counted(generated);
     let certificate = &design.certificate;
     let warnings: Vec<Value> =
@@ -101,7 +101,8 @@ pub fn text(generated: &Generated) -> String {
         }
     }
     if let Some(fir) = &design.fir {
-        let _ = write!(text, "\nWeights by age: x_k = sum K[j] y_(k-j) + M[j] w_(k-j); `--format json` has them all\n");
+        let _ =
+            write!(text, "\nWeights by age: x_k = sum K[j] y_(k-j) + M[j] w_(k-j) + c; `--format json` has them all\n");
         let _ = writeln!(text, "K[0] = {:?}", fir.k[0]);
         if let Some(first) = fir.m.get(1).filter(|_| !fir.known.is_empty()) {
             let _ = writeln!(text, "M[1] = {first:?}   for {}", fir.known.join(", "));

@@ -8,7 +8,6 @@ use std::time::{Duration, Instant};
 
 use clap::Args;
 use deadbeat_codegen::Generated;
-use deadbeat_codegen::describe::short;
 use deadbeat_codegen::plant::Plant;
 use deadbeat_codegen::program::{Scalar, Status};
 use serde_json::{Map, Value, json};
@@ -32,7 +31,7 @@ pub struct Options {
     /// Draws measurements, estimate, reference and error; `-` is standard output
     #[arg(long, value_name = "OUT.svg")]
     plot: Option<PathBuf>,
-    /// An output or input that has another name in the recording, may be repeated
+    /// An output, an input or the time `t` that has another name in the recording, may be repeated
     #[arg(long, value_name = "NAME=COLUMN", value_parser = renaming)]
     map: Vec<(String, String)>,
     /// A state and the column to compare it with, may be repeated
@@ -67,6 +66,7 @@ pub fn run(options: &Options) -> Result<End, Failure> {
     if written().filter(|path| is_standard(path)).count() > 1 {
         return Err(Failure::Misused("standard output can stand for one file only".into()));
     }
+    nothing_overwritten(options)?;
     let generated = match read_spec(&options.spec, options.common.settings())?.design() {
         Ok(generated) => generated,
         Err(report) => {
@@ -117,9 +117,34 @@ pub fn run(options: &Options) -> Result<End, Failure> {
     if written().any(|path| is_standard(path)) {
         eprint!("{report}");
     } else {
-        print(&report);
+        print(&report)?;
     }
     Ok(End::Fine)
+}
+
+/// Refuses to write a file that is read, or one file twice.
+fn nothing_overwritten(options: &Options) -> Result<(), Failure> {
+    let read = [("the specification", &options.spec), ("--log", &options.log)];
+    let mut taken: Vec<(&str, PathBuf)> =
+        read.into_iter().filter(|(_, path)| !is_standard(path)).map(|(role, path)| (role, place(path))).collect();
+    for (role, path) in [("--out", &options.out), ("--plot", &options.plot)] {
+        let Some(path) = path.as_ref().filter(|path| !is_standard(path)) else { continue };
+        let place = place(path);
+        if let Some((other, _)) = taken.iter().find(|(_, there)| *there == place) {
+            return Err(Failure::Misused(format!("{role} would overwrite {}, which is {other}", path.display())));
+        }
+        taken.push((role, place));
+    }
+    Ok(())
+}
+
+/// A path that is the same for the same file, as far as it exists.
+fn place(path: &Path) -> PathBuf {
+    let beside = || {
+        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        Some(folder.canonicalize().ok()?.join(path.file_name()?))
+    };
+    path.canonicalize().ok().or_else(beside).unwrap_or_else(|| path.to_owned())
 }
 
 /// The recording's bytes and its name in messages.
@@ -149,11 +174,12 @@ impl Columns {
             found.map_or_else(|| name.to_owned(), |(_, column)| column.clone())
         };
         let known = |name: &str| {
-            plant.outputs.iter().map(|o| &o.label).chain(plant.inputs.iter().map(|i| &i.label)).any(|l| l.name == name)
+            let mut labels = plant.outputs.iter().map(|o| &o.label).chain(plant.inputs.iter().map(|i| &i.label));
+            name == "t" || labels.any(|label| label.name == name)
         };
         if let Some((name, _)) = options.map.iter().find(|(name, _)| !known(name)) {
             return Err(Failure::Misused(format!(
-                "--map: `{name}` is neither an output nor an input of the specification"
+                "--map: `{name}` is neither an output nor an input of the specification, nor `t`"
             )));
         }
         if let Some((name, _)) =
@@ -161,8 +187,10 @@ impl Columns {
         {
             return Err(Failure::Misused(format!("--reference: `{name}` is not a state of the specification")));
         }
-        let timed = there.iter().any(|column| column == "t");
-        let mut names: Vec<String> = if timed { vec!["t".into()] } else { Vec::new() };
+        // A time that was named with --map must be there; one that was not may be absent.
+        let time = renamed("t");
+        let timed = time != "t" || there.contains(&time);
+        let mut names: Vec<String> = if timed { vec![time] } else { Vec::new() };
         names.extend(plant.outputs.iter().map(|o| renamed(&o.label.name)));
         names.extend(plant.inputs.iter().map(|u| renamed(&u.label.name)));
         let mut references = Vec::new();
@@ -260,8 +288,7 @@ impl Drop for Estimate {
 
 fn write_text(path: &Path, text: &str) -> Result<(), Failure> {
     if is_standard(path) {
-        print(text);
-        return Ok(());
+        return print(text);
     }
     deadbeat_codegen::write_whole(path, text).map_err(|error| unwritable(path, &error))
 }
@@ -320,6 +347,10 @@ fn text_report(generated: &Generated, replay: &Replay, compared: &[bool]) -> Str
         replay.converged_rows,
         generated.design.valid_from_step + 1
     );
+    if !replay.timed() {
+        let h = plant.sample_time_s();
+        let _ = writeln!(text, "the recording has no column `t`: its rows are taken to be {h} s apart");
+    }
     if replay.left_out > 0 {
         let _ =
             writeln!(text, "{} samples that the recording's time leaves out were treated as missing", replay.left_out);
@@ -331,7 +362,7 @@ fn text_report(generated: &Generated, replay: &Replay, compared: &[bool]) -> Str
     let _ = writeln!(text, "\n{:<16} {:>12} {:>12} {:>10}  unit", "error of", "RMS", "maximum", "rows");
     for ((state, errors), _) in plant.states.iter().zip(&replay.errors).zip(compared).filter(|(_, compared)| **compared)
     {
-        let (rms, max) = (short(errors.rms()), short(errors.max));
+        let (rms, max) = errors.shown();
         let _ =
             writeln!(text, "{:<16} {rms:>12} {max:>12} {:>10}  {}", state.label.name, errors.rows, state.label.unit);
     }

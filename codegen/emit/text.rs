@@ -16,7 +16,7 @@ pub fn plain(text: &str) -> String {
 
 /// The same inside a C comment: nothing in it ends the comment, opens another or is a trigraph.
 pub fn c_comment(text: &str) -> String {
-    plain(text).replace("*/", "* /").replace("/*", "/ *").replace("??", "? ?")
+    plain(text).replace("*/", "* /").replace("/*", "/ *").replace("??", "? ?").replace("??", "? ?")
 }
 
 /// The same in Rust documentation: words that Markdown, rustdoc or clippy would read as code or

@@ -4,12 +4,13 @@
 //! (`(q - 1)^8` expanded would cancel in single precision); the canonical form is what the plant
 //! is split by.
 
+use std::collections::BTreeSet;
 use std::ops::Range;
 
 use dashu_ratio::RBig;
 
 use super::parse::{Expr, Kind};
-use super::poly::{Atom, MAX_POWER, Monomial, Poly, PolyError, fold_call};
+use super::poly::{Atom, MAX_POWER, Monomial, Poly, PolyError};
 use super::{Constant, Function, Symbol, nearest};
 use crate::diagnostic::{Diagnostic, codes};
 
@@ -163,7 +164,7 @@ fn resolve_power(
     let (base, exponent) = (base?, exponent?);
     let span = (names.place)(expr.span.clone());
     let Some(whole) = exponent.poly.as_rational().and_then(|value| small_whole(&value)) else {
-        return Some(call(Function::Pow, vec![base, exponent], span));
+        return call(Function::Pow, vec![base, exponent], span, found);
     };
     let poly = refuse(base.poly.power(whole), &span, found)?;
     Some(power(base, whole, poly, span))
@@ -203,7 +204,7 @@ fn resolve_call(
         found.push(Diagnostic::error(codes::EXPRESSION_SYNTAX, span, message).help(format!("write {write}")));
         return None;
     }
-    Some(call(function, nodes.into_iter().collect::<Option<_>>()?, span))
+    call(function, nodes.into_iter().collect::<Option<_>>()?, span, found)
 }
 
 fn unknown_function(name: &str, span: Range<usize>, names: &Names) -> Diagnostic {
@@ -227,10 +228,10 @@ fn unknown_function(name: &str, span: Range<usize>, names: &Names) -> Diagnostic
     }
 }
 
-fn call(function: Function, arguments: Vec<Node>, span: Range<usize>) -> Node {
-    let polys: Vec<Poly> = arguments.iter().map(|a| a.poly.clone()).collect();
-    let poly = fold_call(function, &polys).map_or_else(|| Atom::Call(function, polys).into(), Poly::from);
-    Node { kind: NodeKind::Call(function, arguments), poly, span }
+fn call(function: Function, arguments: Vec<Node>, span: Range<usize>, found: &mut Vec<Diagnostic>) -> Option<Node> {
+    let poly = Poly::call(function, arguments.iter().map(|a| a.poly.clone()).collect());
+    let poly = refuse(poly, &span, found)?;
+    Some(Node { kind: NodeKind::Call(function, arguments), poly, span })
 }
 
 fn refuse(result: Result<Poly, PolyError>, span: &Range<usize>, found: &mut Vec<Diagnostic>) -> Option<Poly> {
@@ -238,9 +239,9 @@ fn refuse(result: Result<Poly, PolyError>, span: &Range<usize>, found: &mut Vec<
         Ok(poly) => return Some(poly),
         Err(PolyError::DivisionByZero) => division_by_zero(span),
         Err(PolyError::TooLarge(what)) => {
-            Diagnostic::error(codes::TOO_LARGE, span.clone(), "the expression is too large to expand")
-                .label(what)
-                .help("a smaller power or fewer factors; sums are multiplied out to find what is linear in them")
+            Diagnostic::error(codes::TOO_LARGE, span.clone(), "the expression is too large to expand").label(what).help(
+                "a simpler expression: sums are multiplied out, and parameters written out, to find what is linear",
+            )
         }
     };
     found.push(error);
@@ -252,6 +253,19 @@ fn division_by_zero(span: &Range<usize>) -> Diagnostic {
 }
 
 impl Node {
+    /// Everything that is written in it, also what cancels.
+    pub fn symbols(&self) -> BTreeSet<Symbol> {
+        match &self.kind {
+            NodeKind::Constant => BTreeSet::new(),
+            NodeKind::Symbol(symbol) => BTreeSet::from([*symbol]),
+            NodeKind::Sum(parts) | NodeKind::Product(parts) => {
+                parts.iter().flat_map(|(_, part)| part.symbols()).collect()
+            }
+            NodeKind::Power(base, _) => base.symbols(),
+            NodeKind::Call(_, arguments) => arguments.iter().flat_map(Self::symbols).collect(),
+        }
+    }
+
     /// Visits the largest subtrees in which nothing varies.
     pub fn visit_constants(&self, visit: &mut dyn FnMut(&Self)) {
         let parts: Vec<&Self> = match &self.kind {
@@ -272,7 +286,8 @@ impl Node {
     pub fn from_monomial(monomial: &Monomial, span: &Range<usize>) -> Self {
         let factors = monomial.factors().iter().map(|(atom, exponent)| {
             let base = Self::from_atom(atom, span);
-            let poly = Poly::monomial(Monomial::default(), RBig::ONE);
+            let whole = Monomial::of(atom.clone(), exponent.unsigned_abs());
+            let poly = Poly::monomial(whole, RBig::ONE);
             let raised = match exponent.unsigned_abs() {
                 1 => base,
                 n => Self { kind: NodeKind::Power(Box::new(base), n), poly, span: span.clone() },

@@ -17,6 +17,10 @@ use crate::real::{Precision, Real, Undefined};
 const MAX_TERMS: usize = 400;
 /// Most bits of a coefficient's numerator or denominator.
 const MAX_BITS: usize = 8_192;
+/// Most atoms of one expression, those inside functions too.
+const MAX_ATOMS: usize = 8_000;
+/// Deepest nesting of functions and reciprocals, through parameters too.
+const MAX_NESTING: usize = 64;
 /// Largest whole power that is expanded.
 pub const MAX_POWER: i32 = 64;
 
@@ -51,6 +55,11 @@ pub enum PolyError {
 }
 
 impl Monomial {
+    /// A power of one atom.
+    pub fn of(atom: Atom, exponent: u32) -> Self {
+        Self(vec![(atom, i32::try_from(exponent).unwrap_or(i32::MAX))])
+    }
+
     /// The atoms with their exponents.
     pub fn factors(&self) -> &[(Atom, i32)] {
         &self.0
@@ -86,6 +95,13 @@ impl Monomial {
         let constant = |entry: &&(Atom, i32)| Self(vec![(*entry).clone()]).is_constant();
         let (fixed, varying): (Vec<_>, Vec<_>) = self.0.iter().partition(constant);
         (Self(fixed.into_iter().cloned().collect()), Self(varying.into_iter().cloned().collect()))
+    }
+
+    /// The other factors, when a symbol is one to the power 1.
+    pub fn without(&self, symbol: Symbol) -> Option<Self> {
+        let this = |entry: &&(Atom, i32)| **entry == (Atom::Symbol(symbol), 1);
+        self.0.iter().find(this)?;
+        Some(Self(self.0.iter().filter(|entry| !this(entry)).cloned().collect()))
     }
 
     /// The symbol, when the monomial is exactly that.
@@ -223,18 +239,26 @@ impl Poly {
         }
         match self.as_monomial() {
             Some((monomial, value)) => Ok(Self::monomial(monomial.power(-1)?, RBig::ONE / value)),
-            None => Ok(Self::from(Atom::Reciprocal(self.clone()))),
+            None => Self::from(Atom::Reciprocal(self.clone())).bounded(),
+        }
+    }
+
+    /// A function of expressions.
+    pub fn call(function: Function, arguments: Vec<Self>) -> Result<Self, PolyError> {
+        match fold_call(function, &arguments) {
+            Some(value) => Ok(value.into()),
+            None => Self::from(Atom::Call(function, arguments)).bounded(),
         }
     }
 
     /// `self ^ exponent` for a whole exponent between -64 and 64.
     pub fn power(&self, exponent: i32) -> Result<Self, PolyError> {
         let base = if exponent < 0 { self.reciprocal()? } else { self.clone() };
-        if exponent.abs() > MAX_POWER {
+        if exponent.unsigned_abs() > MAX_POWER.unsigned_abs() {
             return Err(PolyError::TooLarge(format!("the power {exponent}; at most {MAX_POWER} is expanded")));
         }
         let mut product = Self::from(RBig::ONE);
-        for _ in 0..exponent.abs() {
+        for _ in 0..exponent.unsigned_abs() {
             product = product.times(&base)?;
         }
         Ok(product)
@@ -244,11 +268,31 @@ impl Poly {
         if self.0.len() > MAX_TERMS {
             return Err(PolyError::TooLarge(format!("{} terms; at most {MAX_TERMS} are kept", self.0.len())));
         }
+        self.count(&mut 0, 0)?;
         let bits = |value: &RBig| value.numerator().bit_len().max(value.denominator().bit_len());
         match self.0.values().map(bits).max() {
             Some(most) if most > MAX_BITS => Err(PolyError::TooLarge(format!("a constant of {most} bits"))),
             _ => Ok(self),
         }
+    }
+
+    /// Counts the atoms, and gives up at the first too many or too deep.
+    fn count(&self, atoms: &mut usize, depth: usize) -> Result<(), PolyError> {
+        if depth > MAX_NESTING {
+            return Err(PolyError::TooLarge(format!("functions nest deeper than {MAX_NESTING}")));
+        }
+        for (atom, _) in self.0.keys().flat_map(Monomial::factors) {
+            *atoms += 1;
+            if *atoms > MAX_ATOMS {
+                return Err(PolyError::TooLarge(format!("more than {MAX_ATOMS} names and functions, written out")));
+            }
+            match atom {
+                Atom::Pi | Atom::Symbol(_) => {}
+                Atom::Reciprocal(sum) => sum.count(atoms, depth + 1)?,
+                Atom::Call(_, arguments) => arguments.iter().try_for_each(|a| a.count(atoms, depth + 1))?,
+            }
+        }
+        Ok(())
     }
 
     /// Divides by its leading coefficient; gives the monic polynomial and that coefficient.
@@ -430,7 +474,7 @@ fn at_most_one(x: &Real) -> Real {
 }
 
 /// A function at rational arguments whose value is rational; `None` when it is not, or not known to be.
-pub fn fold_call(function: Function, arguments: &[Poly]) -> Option<RBig> {
+fn fold_call(function: Function, arguments: &[Poly]) -> Option<RBig> {
     let values: Vec<RBig> = arguments.iter().map(Poly::as_rational).collect::<Option<_>>()?;
     let x = &values[0];
     match function {

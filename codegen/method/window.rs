@@ -4,7 +4,8 @@
 //! the window's start. Solved by least squares once, offline, they give the state now as a fixed
 //! weighted sum of what was sampled: exact after N+1 samples whatever the initial state, with no
 //! state of its own that could drift, and of all unbiased estimates from this window the one that
-//! amplifies white noise least.
+//! amplifies white noise least. Samples of several outputs count in units of the noise that these
+//! declare, so that the design does not depend on the units that were chosen.
 //!
 //! **Source.** 002 (mazenc-malisoff-2022-parameters-and-states) equations (9) and (19) without
 //! unknowns, made exact for sampled signals (window-observers, section 2, "stateless full-order
@@ -27,21 +28,22 @@ use crate::design::{Design, Fir, NamedMatrix, Shape};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::expr::List;
 use crate::plant::Plant;
-use crate::real::{Matrix, Precision, equilibrated_columns, rank, singular_values};
+use crate::program::Scalar;
+use crate::real::{Matrix, Precision, Real, equilibrated_columns, rank, singular_values};
 use crate::spec::Quantity;
 use crate::spec::reader::Table;
 use crate::window::certificate::certify;
 use crate::window::minimax::best_rows;
 use crate::window::model::{Model, signals};
 use crate::window::settle::settle;
-use crate::window::solve::{Choice, observability, output_powers};
+use crate::window::solve::{Choice, observability, output_powers, trusted};
 use crate::window::{Functional, count, refuse_much_work, seconds, trimmed, whole_samples};
 
 /// The registry's entry.
 pub const METHOD: Method = Method {
     name: "window",
     summary: "full-order least squares over the last N+1 samples, stateless",
-    source: "002 (9), (19) without unknowns, made discrete-exact",
+    source: "Mazenc and Malisoff 2022 (parameters and states), (9), (19) without unknowns, made exact for samples",
     keys: &[
         ("window", "s", "length of the window, a whole number of samples; the estimate has converged after it"),
         (
@@ -86,6 +88,8 @@ fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
 
 /// Bits at which observability is judged; a tolerance of half of them is far from any rounding.
 const VERDICT_BITS: usize = 256;
+/// Bits at which the window itself is judged, until its rank is full: growing modes need more.
+const VERDICTS: [usize; 3] = [VERDICT_BITS, 1_024, 4_096];
 
 impl Keyed for Keys {
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {
@@ -103,7 +107,7 @@ impl Keyed for Keys {
         let choice = self.choice(plant, &delays, steps)?;
         let (functional, exact, mut numerics) = settle(plant, &signals(plant), &delays, steps, &choice)?;
         numerics.condition = condition;
-        let certificate = certify(plant, &functional, &exact.model);
+        let certificate = certify(plant, &functional, &exact);
         Ok(Design {
             method: METHOD.name,
             realization: "fir",
@@ -127,8 +131,9 @@ impl Keys {
             return Ok(Choice::LeastSquares);
         }
         let model = Model::new(plant, &[], Precision::bits(VERDICT_BITS))?;
-        let rows = observability(&output_powers(&model, steps), delays).0;
-        Ok(Choice::Rows(best_rows(&rows, &model.phi.powi(steps as u64))))
+        let (rows, of) = observability(&output_powers(&model, steps), delays);
+        let trust: Vec<Real> = of.iter().map(|(_, output)| model.trust[*output].clone()).collect();
+        Ok(Choice::Rows(best_rows(&trusted(&rows, &trust), &model.phi.powi(steps as u64))))
     }
 
     fn summary(&self, plant: &Plant, steps: usize) -> String {
@@ -160,7 +165,7 @@ fn refuse_unknowns(plant: &Plant) -> Vec<Diagnostic> {
         let message = format!("the method `window` does not estimate the unknown `{}`", unknown.label.name);
         Diagnostic::error(codes::METHOD_CANNOT, unknown.label.span.clone(), message)
             .context(plant.span.clone(), "this method estimates states only")
-            .help("the method that takes unknown constants is `parameters`; or declare it as a state whose derivative is '0'")
+            .help("declare it as a state whose derivative is '0'; the method that takes unknown constants as such is `parameters`")
     };
     plant.unknowns.iter().map(refuse).collect()
 }
@@ -216,45 +221,67 @@ fn verdict(plant: &Plant, delays: &[usize], steps: usize, window: &Range<usize>)
     if judged.rank < n {
         return Err(vec![unobservable(plant, &long, &judged.singular_values)]);
     }
-    let here = rows(steps);
-    let scaled = equilibrated_columns(&here).0;
-    let judged = if here.rows() < n { None } else { Some(rank(&scaled, VERDICT_BITS / 2)) };
-    if judged.as_ref().is_none_or(|judged| judged.rank < n) {
-        let needed = (steps + 1..=enough).find(|steps| {
-            let longer = rows(*steps);
-            longer.rows() >= n && rank(&equilibrated_columns(&longer).0, VERDICT_BITS / 2).rank == n
-        });
-        let needed = needed.unwrap_or(enough);
-        let shown = judged.map_or(here.rows(), |judged| judged.rank);
-        let message = "the window is too short to show every state";
-        let error = Diagnostic::error(codes::WINDOW_TOO_SHORT, window.clone(), message)
-            .label(format!("{} samples show {shown} of {n} states", steps + 1))
-            .measured(count(shown));
-        return Err(vec![
-            error.help(format!("a window of at least {} s", show(count(needed) * plant.sample_time_s()))),
-        ]);
+    if let Some(condition) = VERDICTS.iter().find_map(|bits| condition(plant, delays, steps, *bits).transpose()) {
+        return condition;
+    }
+    Err(vec![if steps < enough { too_short(plant, &rows, steps, enough, window) } else { too_long(steps, n, window) }])
+}
+
+/// The condition number of the window's observability matrix; `None` when its rank is not full at this precision.
+fn condition(plant: &Plant, delays: &[usize], steps: usize, bits: usize) -> Result<Option<f64>, Vec<Diagnostic>> {
+    let n = plant.states.len();
+    let model = Model::new(plant, &[], Precision::bits(bits))?;
+    let rows = observability(&output_powers(&model, steps), delays).0;
+    let scaled = equilibrated_columns(&rows).0;
+    if rows.rows() < n || rank(&scaled, bits / 2).rank < n {
+        return Ok(None);
     }
     let values = singular_values(&scaled);
-    Ok((&values[0] / &values[n - 1]).to_f64())
+    Ok(Some((&values[0] / &values[n - 1]).to_f64()))
+}
+
+fn too_short(
+    plant: &Plant,
+    rows: &dyn Fn(usize) -> Matrix,
+    steps: usize,
+    enough: usize,
+    window: &Range<usize>,
+) -> Diagnostic {
+    let n = plant.states.len();
+    let shown = |steps: usize| {
+        let rows = rows(steps);
+        if rows.rows() == 0 { 0 } else { rank(&equilibrated_columns(&rows).0, VERDICT_BITS / 2).rank.min(rows.rows()) }
+    };
+    let needed = (steps + 1..=enough).find(|steps| shown(*steps) == n).unwrap_or(enough);
+    let here = shown(steps);
+    Diagnostic::error(codes::WINDOW_TOO_SHORT, window.clone(), "the window is too short to show every state")
+        .label(format!("{} samples show {here} of {n} states", steps + 1))
+        .measured(count(here))
+        .help(format!("a window of at least {} s", show(count(needed) * plant.sample_time_s())))
+}
+
+fn too_long(steps: usize, n: usize, window: &Range<usize>) -> Diagnostic {
+    let digits = Precision::bits(VERDICTS[VERDICTS.len() - 1] / 2).as_digits();
+    let message = "the plant's modes grow too far apart within the window";
+    Diagnostic::error(codes::PRECISION, window.clone(), message)
+        .label(format!("over {steps} samples, the outputs do not tell {n} states apart in {digits} digits"))
+        .help("a shorter window, or a model without the modes that grow beyond all others")
 }
 
 /// Names the states that no window shows.
 fn unobservable(plant: &Plant, rows: &Matrix, values: &[f64]) -> Diagnostic {
     let n = plant.states.len();
     let base = rank(&equilibrated_columns(rows).0, VERDICT_BITS / 2).rank;
-    let hidden: Vec<&crate::plant::State> = (0..n)
-        .filter(|j| {
-            let unit = Matrix::from_fn(1, n, |_, k| {
-                if k == *j {
-                    crate::real::Real::one(rows.precision())
-                } else {
-                    crate::real::Real::zero(rows.precision())
-                }
-            });
-            rank(&equilibrated_columns(&rows.vcat(&unit)).0, VERDICT_BITS / 2).rank > base
-        })
-        .map(|j| &plant.states[j])
-        .collect();
+    let hidden: Vec<&crate::plant::State> =
+        (0..n)
+            .filter(|j| {
+                let unit = Matrix::from_fn(1, n, |_, k| {
+                    if k == *j { Real::one(rows.precision()) } else { Real::zero(rows.precision()) }
+                });
+                rank(&equilibrated_columns(&rows.vcat(&unit)).0, VERDICT_BITS / 2).rank > base
+            })
+            .map(|j| &plant.states[j])
+            .collect();
     let names: Vec<&str> = hidden.iter().map(|s| s.label.name.as_str()).collect();
     let outputs: Vec<&str> = plant.outputs.iter().map(|o| o.label.name.as_str()).collect();
     let smallest = values.last().copied().unwrap_or(0.0);
@@ -287,20 +314,23 @@ fn one_of(names: &[&str]) -> String {
     }
 }
 
-/// In single precision, time since init loses its last digits.
+/// Time since init loses its last digits in single precision, and ends when the calls have been counted.
 fn time_warning(plant: &Plant) -> Option<Diagnostic> {
     use crate::expr::Symbol;
     let timed = plant.injections.iter().find(|i| i.symbols().contains(&Symbol::Time))?;
-    if plant.scalar == crate::program::Scalar::F64 {
-        return None;
-    }
-    let hours = 16_777_216.0 * plant.sample_time_s() / 3_600.0;
-    let warning = Diagnostic::warning(codes::TIME_RESOLUTION, timed.node.span.clone(), "`t` loses resolution in f32");
+    let span = timed.node.span.clone();
+    let hours = |calls: f64| calls * plant.sample_time_s() / 3_600.0;
+    let (calls, message, label) = match plant.scalar {
+        Scalar::F32 => (16_777_216.0, "`t` loses resolution in f32", "it no longer counts every call"),
+        Scalar::F64 => (4_294_967_296.0, "`t` stands still in the end", "the calls are no longer counted"),
+    };
+    let after = hours(calls);
+    let warning = Diagnostic::warning(codes::TIME_RESOLUTION, span, message);
     Some(
         warning
-            .label(format!("after {hours:.1} h it no longer counts every call"))
-            .measured(hours)
-            .help("use f64, or an input that carries the phase"),
+            .label(format!("after {after:.1} h {label}"))
+            .measured(after)
+            .help("call `init` before then, or make it an input that carries the phase"),
     )
 }
 
@@ -310,7 +340,7 @@ fn constants(model: &Model) -> Vec<NamedMatrix> {
 
 /// Samples that lose more by being stored in single precision than the noise that is declared.
 fn resolution_warnings(plant: &Plant) -> Vec<Diagnostic> {
-    let single = plant.scalar == crate::program::Scalar::F32;
+    let single = plant.scalar == Scalar::F32;
     plant.outputs.iter().filter(|_| single).filter_map(resolution_warning).collect()
 }
 
@@ -343,7 +373,8 @@ fn fir(plant: &Plant, functional: &Functional) -> Fir {
         };
         (0..functional.signals.len()).map(weight).collect()
     });
-    Fir { known: functional.signals.iter().map(|s| s.text.clone()).collect(), k, m }
+    let c = functional.constant.iter().map(|c| c.double).collect();
+    Fir { known: functional.signals.iter().map(|s| s.text.clone()).collect(), k, m, c }
 }
 
 #[cfg(test)]

@@ -49,26 +49,29 @@ fn combine_group(functions: Vec<(Node, Vec<Poly>)>) -> Vec<(Node, Vec<Poly>)> {
     if functions.len() <= rows.len() {
         return functions;
     }
-    rows.iter()
+    let sums: Option<Vec<_>> = rows
+        .iter()
         .map(|row| {
             let mut column = vec![Poly::default(); n];
             column[*row] = Poly::from(RBig::ONE);
-            (sum_of(&functions, *row), column)
+            Some((sum_of(&functions, *row)?, column))
         })
-        .collect()
+        .collect();
+    // A sum that is too large to know canonically stays apart.
+    sums.unwrap_or(functions)
 }
 
 /// The sum of coefficient times function in one row, as a node.
-fn sum_of(functions: &[(Node, Vec<Poly>)], row: usize) -> Node {
+fn sum_of(functions: &[(Node, Vec<Poly>)], row: usize) -> Option<Node> {
     let mut poly = Poly::default();
     let mut terms = Vec::new();
     for (node, column) in functions.iter().filter(|(_, column)| !column[row].is_zero()) {
         let coefficient = Node { kind: NodeKind::Constant, poly: column[row].clone(), span: node.span.clone() };
-        let whole = column[row].times(&node.poly).unwrap_or_default();
-        poly = poly.plus(&whole).unwrap_or_default();
+        let whole = column[row].times(&node.poly).ok()?;
+        poly = poly.plus(&whole).ok()?;
         let kind = NodeKind::Product(vec![(false, coefficient), (false, node.clone())]);
         terms.push((false, Node { kind, poly: whole, span: node.span.clone() }));
     }
     let span = terms.first().map_or(0..0, |(_, term)| term.span.clone());
-    Node { kind: NodeKind::Sum(terms), poly, span }
+    Some(Node { kind: NodeKind::Sum(terms), poly, span })
 }

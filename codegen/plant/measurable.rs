@@ -1,5 +1,6 @@
 //! Which states are known at the samples.
 
+use dashu_base::BitTest as _;
 use dashu_ratio::RBig;
 
 use crate::expr::Constant;
@@ -28,6 +29,9 @@ impl Measurable {
     }
 }
 
+/// Rows times bits of [C | I] from which on elimination, whose entries grow with each row, takes too long.
+const MOST_BITS: usize = 1_000_000;
+
 /// Gauss-Jordan elimination of [C | I] in rationals; `None` when an entry is not rational.
 fn by_elimination(c: &[Vec<Constant>], rows: &[usize], n: usize) -> Option<Vec<Vec<(usize, Constant)>>> {
     let p = rows.len();
@@ -36,6 +40,10 @@ fn by_elimination(c: &[Vec<Constant>], rows: &[usize], n: usize) -> Option<Vec<V
         let mut entries: Vec<RBig> = c[*row].iter().map(Constant::as_rational).collect::<Option<_>>()?;
         entries.extend((0..p).map(|k| if k == place { RBig::ONE } else { RBig::ZERO }));
         table.push(entries);
+    }
+    let bits = |x: &RBig| x.numerator().bit_len() + x.denominator().bit_len();
+    if p * table.iter().flatten().map(bits).sum::<usize>() > MOST_BITS {
+        return None;
     }
     let mut done = 0;
     for column in 0..n {

@@ -417,6 +417,13 @@ impl<'a> Reading<'a> {
                 );
             }
         }
+        for (k, disturbance) in self.spec.disturbances.iter().enumerate() {
+            if parts.disturbances.get(k).is_some_and(|column| column.iter().all(Constant::is_zero)) {
+                let name = &disturbance.named.name;
+                let message = format!("the disturbance `{}` enters no equation", name.value);
+                self.found.push(Diagnostic::warning(codes::UNUSED, name.span.clone(), message));
+            }
+        }
         for (i, input) in self.spec.inputs.iter().enumerate() {
             let linear = parts.b.iter().any(|row| row.get(i).is_some_and(|c| !c.is_zero()));
             let elsewhere = parts.injections.iter().any(|j| j.symbols().contains(&Symbol::Input(i)))

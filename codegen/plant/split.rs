@@ -9,7 +9,7 @@ use std::ops::Range;
 use dashu_ratio::RBig;
 
 use crate::diagnostic::{Diagnostic, codes};
-use crate::expr::{Atom, Meaning, Monomial, Node, NodeKind, Poly, Symbol};
+use crate::expr::{Meaning, Monomial, Node, NodeKind, Poly, Symbol};
 
 use super::measurable::Measurable;
 use super::words::{describe, name_of, shortened};
@@ -125,20 +125,12 @@ fn classify(varying: &Monomial, measurable: &Measurable) -> Class {
 
 /// `eps * gamma(t, y, u)`: the unknown once, outside every function.
 fn factor_of_unknown(varying: &Monomial, k: usize) -> Class {
-    let mut gamma = Poly::from(RBig::ONE);
-    for (atom, exponent) in varying.factors() {
-        if matches!(atom, Atom::Symbol(Symbol::Unknown(which)) if *which == k) && *exponent == 1 {
-            continue;
+    match varying.without(Symbol::Unknown(k)) {
+        Some(gamma) if !gamma.symbols().iter().any(|s| matches!(s, Symbol::Unknown(_))) => {
+            Class::Unknown(k, Poly::monomial(gamma, RBig::ONE))
         }
-        match Poly::from(atom.clone()).power(*exponent).and_then(|factor| gamma.times(&factor)) {
-            Ok(product) => gamma = product,
-            Err(_) => return Class::Mistake(Mistake::Unknown(k)),
-        }
+        _ => Class::Mistake(Mistake::Unknown(k)),
     }
-    if gamma.symbols().iter().any(|s| matches!(s, Symbol::Unknown(_))) {
-        return Class::Mistake(Mistake::Unknown(k));
-    }
-    Class::Unknown(k, gamma)
 }
 
 impl Mistake {
@@ -163,6 +155,12 @@ impl Mistake {
                 Diagnostic::error(codes::DELAYED_INJECTION, span, message)
                     .label(format!("`{what}` needs `{name}` at once"))
                     .help(format!("measure `{name}` without delay, or approximate the term by a linear one"))
+            }
+            Self::State(_) if varying.without(symbol).is_some_and(|rest| !rest.symbols().contains(&symbol)) => {
+                let message = format!("`{name}`, which is not measured, has a factor that varies");
+                Diagnostic::error(codes::NONLINEAR_STATE, span, message)
+                    .label(format!("in `{what}`; only constants may multiply `{name}`"))
+                    .help(format!("no observer method accepts this: measure `{name}` as an output of its own, or, if the factor hardly changes, make it a parameter"))
             }
             Self::State(_) => {
                 let message = format!("nonlinear in `{name}`, which is not measured");
@@ -222,7 +220,10 @@ fn nonlinear(right: &Node, mut rest: Poly, measurable: &Measurable, into: &mut B
         }
         let Ok(difference) = rest.clone().plus(&whole.negated()) else { continue };
         rest = difference;
-        insert(into, core.clone(), &coefficient);
+        // What cancels is not computed: the step may not know it where the rest is needed.
+        let whole = core.symbols() == core.poly.symbols();
+        let core = if whole { core } else { Node::from_poly(&core.poly, &core.span) };
+        insert(into, core, &coefficient);
     }
     for (monomial, coefficient) in rest.terms() {
         let (fixed, varying) = monomial.split();

@@ -62,7 +62,12 @@ pub fn text_of(node: &Node, known: &[(String, Meaning)]) -> String {
                 (_, true) => sign[3..].to_owned(),
             };
             let inner = text_of(part, known);
-            let sum = matches!(part.kind, NodeKind::Sum(_)) && part.poly.terms().count() > 1 && parts.len() > 1;
+            let sum = parts.len() > 1
+                && match &part.kind {
+                    NodeKind::Sum(terms) => terms.len() > 1,
+                    NodeKind::Constant => part.poly.terms().count() > 1,
+                    _ => false,
+                };
             let divisor = *other && sign.contains('/') && matches!(part.kind, NodeKind::Product(_));
             let wrap = sum || divisor;
             let (open, close) = if wrap { ("(", ")") } else { ("", "") };

@@ -12,21 +12,21 @@ use crate::expr::bounds::{Interval, derivative, enclose};
 use crate::plant::Plant;
 use crate::real::{Matrix, Precision, Real, exponential, zero_order_hold};
 
-use super::model::Model;
+use super::solve::Exact;
 use super::{Functional, Source};
 
 /// Sub-intervals of a sample interval in which a disturbance's kernel is integrated.
 const PARTS: i64 = 8;
 
 /// Sums up a functional.
-pub fn certify(plant: &Plant, functional: &Functional, model: &Model) -> Certificate {
+pub fn certify(plant: &Plant, functional: &Functional, exact: &Exact) -> Certificate {
     let n = plant.states.len();
     let gain = |sum: &dyn Fn(usize, usize) -> f64| -> Vec<Vec<f64>> {
         (0..n).map(|i| (0..plant.outputs.len()).map(|o| sum(i, o)).collect()).collect()
     };
     let noise_gain_l1 = gain(&|i, o| functional.outputs[o].l1(i));
     let noise_gain_l2 = gain(&|i, o| deadbeat_math::sqrt_f64(functional.outputs[o].sum_of_squares(i)));
-    let disturbance_gain_l1 = disturbance_gains(plant, functional, model);
+    let disturbance_gain_l1 = disturbance_gains(plant, exact);
     let error_bound = (0..n).map(|i| error_bound(plant, functional, &noise_gain_l1[i], &disturbance_gain_l1[i], i));
     let error_bound = error_bound.collect();
     Certificate { noise_gain_l1, noise_gain_l2, disturbance_gain_l1, error_bound }
@@ -85,7 +85,7 @@ pub fn range(plant: &Plant, symbol: Symbol) -> Interval {
 }
 
 /// Sum over the window of the integral of `|acc_i e^{A s} d|`, from above.
-fn disturbance_gains(plant: &Plant, functional: &Functional, model: &Model) -> Vec<Vec<f64>> {
+fn disturbance_gains(plant: &Plant, exact: &Exact) -> Vec<Vec<f64>> {
     let n = plant.states.len();
     let p = Precision::bits(256);
     let columns: Vec<Matrix> = plant
@@ -97,11 +97,8 @@ fn disturbance_gains(plant: &Plant, functional: &Functional, model: &Model) -> V
         return vec![vec![f64::INFINITY; plant.disturbances.len()]; n];
     };
     let mut gains = vec![vec![0.0; plant.disturbances.len()]; n];
-    let (phi, c) = (model.phi.to_f64(), model.c.to_f64());
-    let mut acc = identity_minus(functional, &c, n);
-    for age in 1..=functional.steps {
-        kernel.add(&acc, &mut gains);
-        acc = advance(&acc, &phi, functional, &c, age);
+    for acc in &exact.accumulated {
+        kernel.add(&acc.to_f64(), &mut gains);
     }
     gains
 }
@@ -164,35 +161,6 @@ impl Kernel {
                     }
                 }
             }
-        }
-    }
-}
-
-/// `acc_1` in doubles, from the settled weights.
-fn identity_minus(functional: &Functional, c: &[Vec<f64>], n: usize) -> Vec<Vec<f64>> {
-    let mut acc = vec![vec![0.0; n]; n];
-    for (i, row) in acc.iter_mut().enumerate() {
-        row[i] = 1.0;
-    }
-    subtract(&mut acc, functional, c, 0);
-    acc
-}
-
-/// `acc_{i+1} = acc_i Phi - K_i C`.
-fn advance(acc: &[Vec<f64>], phi: &[Vec<f64>], functional: &Functional, c: &[Vec<f64>], age: usize) -> Vec<Vec<f64>> {
-    let n = acc.len();
-    let entry = |row: &[f64], j: usize| -> f64 { row.iter().zip(phi).map(|(a, p)| a * p[j]).sum() };
-    let mut next: Vec<Vec<f64>> = acc.iter().map(|row| (0..n).map(|j| entry(row, j)).collect()).collect();
-    subtract(&mut next, functional, c, age);
-    next
-}
-
-fn subtract(acc: &mut [Vec<f64>], functional: &Functional, c: &[Vec<f64>], age: usize) {
-    for (o, weights) in functional.outputs.iter().enumerate() {
-        let Some(call_age) = age.checked_sub(functional.delays[o]) else { continue };
-        for (i, row) in acc.iter_mut().enumerate() {
-            let k = weights.at(i, call_age).double;
-            row.iter_mut().zip(&c[o]).for_each(|(x, c)| *x -= k * c);
         }
     }
 }

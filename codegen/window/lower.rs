@@ -132,5 +132,5 @@ fn field(name: &str, unit: &str, doc: &str) -> Field {
 }
 
 fn place(index: usize) -> u16 {
-    u16::try_from(index).unwrap_or_else(|_| unreachable!("a specification is shorter than 65536 entries"))
+    u16::try_from(index).unwrap_or_else(|_| unreachable!("a plant has at most 256 of each"))
 }

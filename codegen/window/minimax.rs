@@ -101,10 +101,10 @@ impl Exchange<'_> {
             .filter_map(|j| {
                 let along = direction.get(j, 0);
                 let falls = (along.is_negative() != value.is_negative()) == weights[j].is_negative();
-                (falls && !along.is_zero()).then(|| (&weights[j].abs() / &along.abs(), j))
+                (falls && !along.is_zero()).then(|| (&weights[j].abs() / &along.abs(), self.basis[j], j))
             })
             .min();
-        let Some((_, leaving)) = leaving else { return false };
+        let Some((_, _, leaving)) = leaving else { return false };
         self.basis[leaving] = entering;
         true
     }

@@ -23,6 +23,8 @@ pub struct Model {
     pub effects: Vec<Effect>,
     /// n x 1: the effect of the constant terms.
     pub constant: Matrix,
+    /// Per output, what its samples count by: one over its noise where every output declares one, else 1.
+    pub trust: Vec<Real>,
 }
 
 /// What a signal does to the state over one interval; n x 1 each.
@@ -90,7 +92,7 @@ impl Model {
             if domain.get() {
                 return Err(refused());
             }
-            return Ok(Self { phi: a, c, effects, constant: offset });
+            return Ok(Self { phi: a, c, effects, constant: offset, trust: trust(plant, precision) });
         }
         let h = value(&plant.sample_time.0);
         let too_large = |error: &dyn std::fmt::Display| {
@@ -120,8 +122,17 @@ impl Model {
         if domain.get() {
             return Err(refused());
         }
-        Ok(Self { phi, c, effects, constant })
+        Ok(Self { phi, c, effects, constant, trust: trust(plant, precision) })
     }
+}
+
+/// Samples of different sensors are comparable only in units of their noise. One sensor needs no unit.
+fn trust(plant: &Plant, precision: Precision) -> Vec<Real> {
+    let one = || Real::one(precision);
+    let inverse =
+        |output: &crate::plant::Output| one().checked_div(&output.noise.as_ref()?.evaluate(precision).ok()?).ok();
+    let all: Option<Vec<Real>> = plant.outputs.iter().map(inverse).collect();
+    all.filter(|all| all.len() > 1).unwrap_or_else(|| plant.outputs.iter().map(|_| one()).collect())
 }
 
 /// A discrete plant uses the value at the beginning of its step.

@@ -63,7 +63,11 @@ pub fn refuse_much_work(plant: &Plant, steps: usize, span: &Range<usize>, found:
     let by_weights = (MOST_WEIGHTS / (n * signals)).saturating_sub(1);
     let by_work = (MOST_WORK / (n * n * (n + p))).saturating_sub(EXPONENTIAL);
     let most = by_weights.min(by_work);
-    if steps > most {
+    if most == 0 {
+        let message = format!("{n} states are too many for this method");
+        let error = Diagnostic::error(codes::TOO_LARGE, plant.span.clone(), message).measured(count(n));
+        found.push(error.label("not one sample fits into the work of a design").help("a model with fewer states"));
+    } else if steps > most {
         let message = "the window is too long for a plant of this size";
         let label = format!("{steps} samples of {n} states; at most {most} are designed");
         let error =

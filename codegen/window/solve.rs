@@ -1,6 +1,7 @@
 //! The weights of the least-squares functional, at a given precision.
 //!
-//! `K = Phi^N O^+` with `O = [C; C Phi; …; C Phi^N]`, referenced to the window's start and solved by an
+//! `K = Phi^N (W O)^+ W` with W what the samples count by (one over the noise of their output, where several
+//! outputs declare theirs; else 1) and `O = [C; C Phi; …; C Phi^N]`, referenced to the window's start and solved by an
 //! orthogonal method: referenced to its end it would be ill conditioned for fast stable modes.
 //! M follows without an inverse (window-observers, section 2):
 //!
@@ -37,8 +38,10 @@ pub struct Exact {
     pub first: Vec<usize>,
     /// n: what the constant terms add.
     pub constant: Vec<Real>,
-    /// Per output: C Phi or C, per state; then per signal held and end effects; then the constant's.
+    /// Per output.
     pub prediction: Vec<ExactPrediction>,
+    /// `acc_1 … acc_N`, n x n each: what a disturbance of the state leaves in the estimate, by age.
+    pub accumulated: Vec<Matrix>,
     /// Largest entry of `acc_{N+1}` against its history.
     pub unbiasedness: f64,
 }
@@ -91,7 +94,8 @@ impl Exact {
         let n = model.phi.rows();
         let powers = output_powers(&model, steps);
         let (observability, rows) = observability(&powers, delays);
-        let weights = choose(choice, &observability, &model.phi.powi(steps as u64))?;
+        let trust: Vec<Real> = rows.iter().map(|(_, output)| model.trust[*output].clone()).collect();
+        let weights = choose(choice, &observability, &trust, &model.phi.powi(steps as u64))?;
         let mut by_age = vec![Matrix::zeros(n, delays.len(), p); steps + 1];
         for (place, (age, output)) in rows.iter().enumerate() {
             for i in 0..n {
@@ -112,14 +116,22 @@ impl Exact {
         }
         let constant = (0..n).map(|i| constant.get(i, 0).clone()).collect();
         let prediction = (0..delays.len()).map(|o| predict(&model, signals, o, delays[o])).collect();
-        Ok(Self { model, outputs, knowns, first, constant, prediction, unbiasedness })
+        Ok(Self { model, outputs, knowns, first, constant, prediction, accumulated, unbiasedness })
     }
 }
 
+/// Rows times what they count by.
+pub fn trusted(rows: &Matrix, trust: &[Real]) -> Matrix {
+    Matrix::from_fn(rows.rows(), rows.cols(), |i, j| rows.get(i, j) * &trust[i])
+}
+
 /// The weights by state and row.
-fn choose(choice: &Choice, observability: &Matrix, through: &Matrix) -> Result<Matrix, RankDeficient> {
+fn choose(choice: &Choice, observability: &Matrix, trust: &[Real], through: &Matrix) -> Result<Matrix, RankDeficient> {
     let rows = match choice {
-        Choice::LeastSquares => return Ok(through * &pseudo_inverse(observability)?),
+        Choice::LeastSquares => {
+            let inverse = pseudo_inverse(&trusted(observability, trust))?;
+            return Ok(through * &trusted(&inverse.transpose(), trust).transpose());
+        }
         Choice::Rows(rows) => rows,
     };
     let (n, p) = (through.rows(), through.precision());

@@ -761,13 +761,13 @@ static float dc_motor_sin_f32(float x)
 /* What one part of a step hands to the next. */
 typedef struct {
     uint32_t t11;
-    float t19;
-    float t30;
-    uint32_t t37;
-    float t121;
-    float t122;
+    float t21;
+    float t32;
+    uint32_t t39;
     float t123;
-    dc_motor_status t130;
+    float t124;
+    float t125;
+    dc_motor_status t132;
 } dc_motor_work;
 
 /* Part 1 of a step. */
@@ -791,46 +791,46 @@ static void dc_motor_part_1(dc_motor_state *state, const dc_motor_measurements *
     const float t14 = 9.516694e-8f * t10;
     const float t15 = t12 + t14;
     const float t16 = state->y[t1];
-    const float t17 = t4 ? t15 : t16;
-    const float t18 = t6 ? t5 : t17;
-    work->t19 = dc_motor_sin_f32(t18);
-    const float t20 = state->sin_q[t1];
-    const float t21 = work->t19 - t20;
-    const float t23 = -5.8317214e-6f * t21;
-    const float t24 = t15 + t23;
-    const int t25 = (-1e35f <= t24) && (t24 <= 1e35f);
-    const int t26 = t4 && t25;
-    const float t27 = t26 ? t24 : t16;
-    const int t28 = t6 || t26;
-    const int t29 = !t28;
-    work->t30 = t6 ? t5 : t27;
+    const int t17 = (-1e35f <= t15) && (t15 <= 1e35f);
+    const int t18 = t4 && t17;
+    const float t19 = t18 ? t15 : t16;
+    const float t20 = t6 ? t5 : t19;
+    work->t21 = dc_motor_sin_f32(t20);
+    const float t22 = state->sin_q[t1];
+    const float t23 = work->t21 - t22;
+    const float t25 = -5.8317214e-6f * t23;
+    const float t26 = t15 + t25;
+    const int t27 = (-1e35f <= t26) && (t26 <= 1e35f);
+    const int t28 = t4 && t27;
+    const float t29 = t28 ? t26 : t16;
+    const int t30 = t6 || t28;
+    const int t31 = !t30;
+    work->t32 = t6 ? t5 : t29;
 
     /* how much of the window is good */
-    const uint32_t t33 = (t2 < 101U) ? (t2 + 1U) : 101U;
-    const uint32_t t34 = t29 ? 0U : t33;
-    const uint32_t t35 = t8 ? t33 : 1U;
-    const uint32_t t36 = t6 ? t35 : 0U;
-    work->t37 = t4 ? t34 : t36;
-    state->count = work->t37;
-    const uint32_t t38 = state->coasting;
-    const uint32_t t39 = (t38 > 0U) ? (t38 - 1U) : 0U;
-    const uint32_t t40 = t8 ? t39 : 100U;
-    const uint32_t t42 = t6 ? t40 : 101U;
-    state->coasting = t42;
+    const uint32_t t35 = (t2 < 101U) ? (t2 + 1U) : 101U;
+    const uint32_t t36 = t31 ? 0U : t35;
+    const uint32_t t37 = t8 ? t35 : 1U;
+    const uint32_t t38 = t6 ? t37 : 0U;
+    work->t39 = t4 ? t36 : t38;
+    state->count = work->t39;
+    const uint32_t t40 = state->coasting;
+    const uint32_t t41 = (t40 > 0U) ? (t40 - 1U) : 0U;
+    const uint32_t t42 = t8 ? t41 : 100U;
+    const uint32_t t44 = t6 ? t42 : 101U;
+    state->coasting = t44;
 
     /* into the window */
     state->newest = work->t11;
-    state->y[work->t11] = work->t30;
+    state->y[work->t11] = work->t32;
     state->u[work->t11] = t10;
-    state->sin_q[work->t11] = work->t19;
+    state->sin_q[work->t11] = work->t21;
 }
 
 /* Part 2 of a step. */
 static void dc_motor_part_2(dc_motor_state *state, dc_motor_work *work)
 {
     /* the sums over the window, newest sample first */
-    float t44 = 0.0f;
-    float t45 = 0.0f;
     float t46 = 0.0f;
     float t47 = 0.0f;
     float t48 = 0.0f;
@@ -838,90 +838,92 @@ static void dc_motor_part_2(dc_motor_state *state, dc_motor_work *work)
     float t50 = 0.0f;
     float t51 = 0.0f;
     float t52 = 0.0f;
-    uint32_t t53 = work->t11;
+    float t53 = 0.0f;
+    float t54 = 0.0f;
+    uint32_t t55 = work->t11;
     for (uint32_t row = 0U; row < 100U; ++row) {
         const float *const gains = DC_MOTOR_WINDOW[row];
-        const float t54 = state->y[t53];
-        const float t55 = gains[0];
-        const float t56 = t55 * t54;
-        const float t57 = t44 + t56;
-        const float t58 = gains[1];
-        const float t59 = t58 * t54;
-        const float t60 = t47 + t59;
-        const float t61 = gains[2];
-        const float t62 = t61 * t54;
-        const float t63 = t50 + t62;
-        const float t64 = state->u[t53];
-        const float t65 = gains[3];
-        const float t66 = t65 * t64;
-        const float t67 = t45 + t66;
-        const float t68 = gains[4];
-        const float t69 = t68 * t64;
-        const float t70 = t48 + t69;
-        const float t71 = gains[5];
-        const float t72 = t71 * t64;
-        const float t73 = t51 + t72;
-        const float t74 = state->sin_q[t53];
-        const float t75 = gains[6];
-        const float t76 = t75 * t74;
-        const float t77 = t46 + t76;
-        const float t78 = gains[7];
-        const float t79 = t78 * t74;
-        const float t80 = t49 + t79;
-        const float t81 = gains[8];
-        const float t82 = t81 * t74;
-        const float t83 = t52 + t82;
-        const uint32_t t84 = ((t53 >= 1U) && (t53 < 101U)) ? (t53 - 1U) : 100U;
-        t44 = t57;
-        t45 = t67;
-        t46 = t77;
-        t47 = t60;
-        t48 = t70;
-        t49 = t80;
-        t50 = t63;
-        t51 = t73;
-        t52 = t83;
-        t53 = t84;
+        const float t56 = state->y[t55];
+        const float t57 = gains[0];
+        const float t58 = t57 * t56;
+        const float t59 = t46 + t58;
+        const float t60 = gains[1];
+        const float t61 = t60 * t56;
+        const float t62 = t49 + t61;
+        const float t63 = gains[2];
+        const float t64 = t63 * t56;
+        const float t65 = t52 + t64;
+        const float t66 = state->u[t55];
+        const float t67 = gains[3];
+        const float t68 = t67 * t66;
+        const float t69 = t47 + t68;
+        const float t70 = gains[4];
+        const float t71 = t70 * t66;
+        const float t72 = t50 + t71;
+        const float t73 = gains[5];
+        const float t74 = t73 * t66;
+        const float t75 = t53 + t74;
+        const float t76 = state->sin_q[t55];
+        const float t77 = gains[6];
+        const float t78 = t77 * t76;
+        const float t79 = t48 + t78;
+        const float t80 = gains[7];
+        const float t81 = t80 * t76;
+        const float t82 = t51 + t81;
+        const float t83 = gains[8];
+        const float t84 = t83 * t76;
+        const float t85 = t54 + t84;
+        const uint32_t t86 = ((t55 >= 1U) && (t55 < 101U)) ? (t55 - 1U) : 100U;
+        t46 = t59;
+        t47 = t69;
+        t48 = t79;
+        t49 = t62;
+        t50 = t72;
+        t51 = t82;
+        t52 = t65;
+        t53 = t75;
+        t54 = t85;
+        t55 = t86;
     }
-    const float t85 = state->y[t53];
-    const float t87 = 0.01741483f * t85;
-    const float t88 = t44 + t87;
-    const float t90 = 0.5239326f * t85;
-    const float t91 = t47 + t90;
-    const float t93 = -0.09719117f * t85;
-    const float t94 = t50 + t93;
-    const float t95 = state->sin_q[t53];
-    const float t97 = 1.0160904e-7f * t95;
-    const float t98 = t46 + t97;
-    const float t100 = 3.0569513e-6f * t95;
-    const float t101 = t49 + t100;
-    const float t103 = -5.6707427e-7f * t95;
-    const float t104 = t52 + t103;
-    const float t105 = t88 + t45;
-    const float t106 = t105 + t98;
-    const float t107 = t91 + t48;
-    const float t108 = t107 + t101;
-    const float t109 = t94 + t51;
-    const float t110 = t109 + t104;
+    const float t87 = state->y[t55];
+    const float t89 = 0.01741483f * t87;
+    const float t90 = t46 + t89;
+    const float t92 = 0.5239326f * t87;
+    const float t93 = t49 + t92;
+    const float t95 = -0.09719117f * t87;
+    const float t96 = t52 + t95;
+    const float t97 = state->sin_q[t55];
+    const float t99 = 1.0160904e-7f * t97;
+    const float t100 = t48 + t99;
+    const float t102 = 3.0569513e-6f * t97;
+    const float t103 = t51 + t102;
+    const float t105 = -5.6707427e-7f * t97;
+    const float t106 = t54 + t105;
+    const float t107 = t90 + t47;
+    const float t108 = t107 + t100;
+    const float t109 = t93 + t50;
+    const float t110 = t109 + t103;
+    const float t111 = t96 + t53;
+    const float t112 = t111 + t106;
 
     /* the next measurement, as far as it is known */
-    const float t112 = 0.0009994135f * t108;
-    const float t114 = 7.021338e-6f * t110;
-    const float t116 = -1.7493403e-5f * work->t19;
-    const float t117 = t106 + t112;
-    const float t118 = t117 + t114;
-    const float t119 = t118 + t116;
-    state->ahead_y = t119;
+    const float t114 = 0.0009994135f * t110;
+    const float t116 = 7.021338e-6f * t112;
+    const float t118 = -1.7493403e-5f * work->t21;
+    const float t119 = t108 + t114;
+    const float t120 = t119 + t116;
+    const float t121 = t120 + t118;
+    state->ahead_y = t121;
 
     /* the estimate; until the window is full, the start */
-    const int t120 = 100U < work->t37;
-    work->t121 = t120 ? t106 : work->t30;
-    work->t122 = t120 ? t108 : 0.0f;
-    work->t123 = t120 ? t110 : 0.0f;
-    const uint32_t t124 = state->coasting;
-    const int t125 = t124 == 0U;
-    const dc_motor_status t129 = t125 ? DC_MOTOR_CONVERGED : DC_MOTOR_COASTING;
-    work->t130 = t120 ? t129 : DC_MOTOR_CONVERGING;
+    const int t122 = 100U < work->t39;
+    work->t123 = t122 ? t108 : work->t32;
+    work->t124 = t122 ? t110 : 0.0f;
+    work->t125 = t122 ? t112 : 0.0f;
+    const uint32_t t126 = state->coasting;
+    const int t127 = t126 == 0U;
+    const dc_motor_status t131 = t127 ? DC_MOTOR_CONVERGED : DC_MOTOR_COASTING;
+    work->t132 = t122 ? t131 : DC_MOTOR_CONVERGING;
 }
 
 void dc_motor_init(dc_motor_state *state)
@@ -948,8 +950,8 @@ void dc_motor_step(dc_motor_state *state, const dc_motor_measurements *measureme
     dc_motor_part_1(state, measurements, inputs, &work);
     dc_motor_part_2(state, &work);
 
-    estimate->q = work.t121;
-    estimate->dq = work.t122;
-    estimate->i = work.t123;
-    estimate->status = work.t130;
+    estimate->q = work.t123;
+    estimate->dq = work.t124;
+    estimate->i = work.t125;
+    estimate->status = work.t132;
 }

@@ -18,16 +18,17 @@
  * Method     window: least squares over the last 101 samples (0.1 s at 0.001 s), stateless
  * Converged  from call 101 (0.1 s after the first), whatever the initial state
  *
- *                                  q         dq        i
- *   unit                           rad       rad/s     A
- *   noise gain from y, worst case  1.664     29.6      5.492
- *   noise gain from y, white       0.1995    3.361     0.6236
- *   gain from w, worst case        6.774e-4  0.04306   0.007049
- *   error bound, declared noise    2.365e-4  0.007417  0.001279
+ *                                            q         dq        i
+ *   unit                                     rad       rad/s     A
+ *   noise gain from y, worst case            1.664     29.6      5.492
+ *   noise gain from y, white                 0.1995    3.361     0.6236
+ *   gain from w, worst case                  6.774e-4  0.04306   0.007049
+ *   error bound from noise and disturbances  2.365e-4  0.007417  0.001279
+ *   on top: nonlinear terms are straight lines between samples, second order in the sample time
  *
  * Cost       911 multiplications, 918 additions, 1 sin a call, the same for every call
  * Memory     state 1228 bytes, constants 3600 bytes
- *            at most: stack 1564 bytes, flash 8252 bytes without elementary functions
+ *            at most: stack 1580 bytes, flash 8352 bytes without elementary functions
  *
  * Contract:
  *  1. No heap, no recursion, no global or static mutable data, no file or console, no library.

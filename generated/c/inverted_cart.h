@@ -14,11 +14,12 @@
  *
  *                                      x         angle     dx        dangle
  *   unit                               m         rad       m/s       rad/s
- *   noise gain from x, worst case      1.604     0.01036   28.32     0.6497
- *   noise gain from x, white           0.4204    0.002569  7.142     0.163
- *   noise gain from angle, worst case  0.009106  1.615     0.225     29.47
- *   noise gain from angle, white       0.002237  0.4254    0.05552   7.434
- *   error bound, declared noise        1.695e-4  0.001616  0.003057  0.02954
+ *   noise gain from x, worst case      1.604     0.105     28.32     1.179
+ *   noise gain from x, white           0.4204    0.02689   7.142     0.2878
+ *   noise gain from angle, worst case  0.002104  1.615     0.134     29.47
+ *   noise gain from angle, white       4.793e-4  0.4254    0.03457   7.434
+ *   error bound from noise             1.625e-4  0.001625  0.002966  0.02959
+ *   on top: nonlinear terms are straight lines between samples, second order in the sample time
  *
  * Cost       346 multiplications, 356 additions, 1 sin a call, the same for every call
  * Memory     state 720 bytes, constants 2560 bytes

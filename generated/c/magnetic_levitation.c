@@ -76,11 +76,11 @@ static const float MAGNETIC_LEVITATION_WINDOW[40][6] = {
 /* What one part of a step hands to the next. */
 typedef struct {
     uint32_t t11;
-    float t42;
-    uint32_t t51;
-    float t105;
-    float t106;
-    magnetic_levitation_status t113;
+    float t44;
+    uint32_t t53;
+    float t107;
+    float t108;
+    magnetic_levitation_status t115;
 } magnetic_levitation_work;
 
 /* Part 1 of a step. */
@@ -112,114 +112,116 @@ static void magnetic_levitation_part_1(magnetic_levitation_state *state, const m
     const float t21 = state->ahead_gap;
     const float t23 = -3.265e-13f * t20;
     const float t24 = t21 + t23;
-    const float t25 = t4 ? t24 : t14;
-    const float t26 = t6 ? t5 : t25;
-    const float t27 = t26 * t26;
-    const float t28 = 0.136f * t27;
-    const float t29 = t12 / t28;
-    const int t30 = (-1e34f <= t29) && (t29 <= 1e34f);
-    const float t31 = state->injection_2[t1];
-    const float t32 = t30 ? t29 : t31;
-    const float t33 = t32 - t20;
-    const float t35 = -1.0883333e-13f * t33;
-    const float t36 = t24 + t35;
-    const int t37 = (0.001f <= t36) && (t36 <= 0.03f);
-    const int t38 = t4 && t37;
-    const float t39 = t38 ? t36 : t14;
-    const int t40 = t6 || t38;
-    const int t41 = !t40;
-    work->t42 = t6 ? t5 : t39;
-    const int t43 = t8 && t18;
-    const int t44 = t43 && t30;
+    const int t25 = (0.001f <= t24) && (t24 <= 0.03f);
+    const int t26 = t4 && t25;
+    const float t27 = t26 ? t24 : t14;
+    const float t28 = t6 ? t5 : t27;
+    const float t29 = t28 * t28;
+    const float t30 = 0.136f * t29;
+    const float t31 = t12 / t30;
+    const int t32 = (-1e34f <= t31) && (t31 <= 1e34f);
+    const float t33 = state->injection_2[t1];
+    const float t34 = t32 ? t31 : t33;
+    const float t35 = t34 - t20;
+    const float t37 = -1.0883333e-13f * t35;
+    const float t38 = t24 + t37;
+    const int t39 = (0.001f <= t38) && (t38 <= 0.03f);
+    const int t40 = t4 && t39;
+    const float t41 = t40 ? t38 : t14;
+    const int t42 = t6 || t40;
+    const int t43 = !t42;
+    work->t44 = t6 ? t5 : t41;
+    const int t45 = t8 && t18;
+    const int t46 = t45 && t32;
 
     /* how much of the window is good */
-    const uint32_t t47 = (t2 < 41U) ? (t2 + 1U) : 41U;
-    const uint32_t t48 = t41 ? 0U : t47;
-    const uint32_t t49 = t44 ? t47 : 1U;
-    const uint32_t t50 = t6 ? t49 : 0U;
-    work->t51 = t4 ? t48 : t50;
-    state->count = work->t51;
-    const uint32_t t52 = state->coasting;
-    const uint32_t t53 = (t52 > 0U) ? (t52 - 1U) : 0U;
-    const uint32_t t54 = t44 ? t53 : 40U;
-    const uint32_t t56 = t6 ? t54 : 41U;
-    state->coasting = t56;
+    const uint32_t t49 = (t2 < 41U) ? (t2 + 1U) : 41U;
+    const uint32_t t50 = t43 ? 0U : t49;
+    const uint32_t t51 = t46 ? t49 : 1U;
+    const uint32_t t52 = t6 ? t51 : 0U;
+    work->t53 = t4 ? t50 : t52;
+    state->count = work->t53;
+    const uint32_t t54 = state->coasting;
+    const uint32_t t55 = (t54 > 0U) ? (t54 - 1U) : 0U;
+    const uint32_t t56 = t46 ? t55 : 40U;
+    const uint32_t t58 = t6 ? t56 : 41U;
+    state->coasting = t58;
 
     /* into the window */
     state->newest = work->t11;
-    state->gap[work->t11] = work->t42;
+    state->gap[work->t11] = work->t44;
     state->injection[work->t11] = t20;
-    state->injection_2[work->t11] = t32;
+    state->injection_2[work->t11] = t34;
 }
 
 /* Part 2 of a step. */
 static void magnetic_levitation_part_2(magnetic_levitation_state *state, magnetic_levitation_work *work)
 {
     /* the sums over the window, newest sample first */
-    float t58 = 0.0f;
-    float t59 = 0.0f;
     float t60 = 0.0f;
     float t61 = 0.0f;
     float t62 = 0.0f;
     float t63 = 0.0f;
-    uint32_t t64 = work->t11;
+    float t64 = 0.0f;
+    float t65 = 0.0f;
+    uint32_t t66 = work->t11;
     for (uint32_t row = 0U; row < 40U; ++row) {
         const float *const gains = MAGNETIC_LEVITATION_WINDOW[row];
-        const float t65 = state->gap[t64];
-        const float t66 = gains[0];
-        const float t67 = t66 * t65;
-        const float t68 = t58 + t67;
-        const float t69 = gains[1];
-        const float t70 = t69 * t65;
-        const float t71 = t61 + t70;
-        const float t72 = state->injection[t64];
-        const float t73 = gains[2];
-        const float t74 = t73 * t72;
-        const float t75 = t59 + t74;
-        const float t76 = gains[3];
-        const float t77 = t76 * t72;
-        const float t78 = t62 + t77;
-        const float t79 = state->injection_2[t64];
-        const float t80 = gains[4];
-        const float t81 = t80 * t79;
-        const float t82 = t60 + t81;
-        const float t83 = gains[5];
-        const float t84 = t83 * t79;
-        const float t85 = t63 + t84;
-        const uint32_t t86 = ((t64 >= 1U) && (t64 < 41U)) ? (t64 - 1U) : 40U;
-        t58 = t68;
-        t59 = t75;
-        t60 = t82;
-        t61 = t71;
-        t62 = t78;
-        t63 = t85;
-        t64 = t86;
+        const float t67 = state->gap[t66];
+        const float t68 = gains[0];
+        const float t69 = t68 * t67;
+        const float t70 = t60 + t69;
+        const float t71 = gains[1];
+        const float t72 = t71 * t67;
+        const float t73 = t63 + t72;
+        const float t74 = state->injection[t66];
+        const float t75 = gains[2];
+        const float t76 = t75 * t74;
+        const float t77 = t61 + t76;
+        const float t78 = gains[3];
+        const float t79 = t78 * t74;
+        const float t80 = t64 + t79;
+        const float t81 = state->injection_2[t66];
+        const float t82 = gains[4];
+        const float t83 = t82 * t81;
+        const float t84 = t62 + t83;
+        const float t85 = gains[5];
+        const float t86 = t85 * t81;
+        const float t87 = t65 + t86;
+        const uint32_t t88 = ((t66 >= 1U) && (t66 < 41U)) ? (t66 - 1U) : 40U;
+        t60 = t70;
+        t61 = t77;
+        t62 = t84;
+        t63 = t73;
+        t64 = t80;
+        t65 = t87;
+        t66 = t88;
     }
-    const float t87 = state->gap[t64];
-    const float t88 = 0.0f * t87;
-    const float t89 = t58 + t88;
-    const float t91 = -250.0f * t87;
-    const float t92 = t61 + t91;
-    const float t93 = t89 + t59;
-    const float t94 = t93 + t60;
-    const float t96 = t92 + t62;
-    const float t97 = t96 + t63;
-    const float t98 = t97 + 0.01962f;
+    const float t89 = state->gap[t66];
+    const float t90 = 0.0f * t89;
+    const float t91 = t60 + t90;
+    const float t93 = -250.0f * t89;
+    const float t94 = t63 + t93;
+    const float t95 = t91 + t61;
+    const float t96 = t95 + t62;
+    const float t98 = t94 + t64;
+    const float t99 = t98 + t65;
+    const float t100 = t99 + 0.01962f;
 
     /* the next measurement, as far as it is known */
-    const float t100 = 0.0001f * t98;
-    const float t102 = t94 + t100;
-    const float t103 = t102 + 4.905e-8f;
-    state->ahead_gap = t103;
+    const float t102 = 0.0001f * t100;
+    const float t104 = t96 + t102;
+    const float t105 = t104 + 4.905e-8f;
+    state->ahead_gap = t105;
 
     /* the estimate; until the window is full, the start */
-    const int t104 = 40U < work->t51;
-    work->t105 = t104 ? t94 : work->t42;
-    work->t106 = t104 ? t98 : 0.0f;
-    const uint32_t t107 = state->coasting;
-    const int t108 = t107 == 0U;
-    const magnetic_levitation_status t112 = t108 ? MAGNETIC_LEVITATION_CONVERGED : MAGNETIC_LEVITATION_COASTING;
-    work->t113 = t104 ? t112 : MAGNETIC_LEVITATION_CONVERGING;
+    const int t106 = 40U < work->t53;
+    work->t107 = t106 ? t96 : work->t44;
+    work->t108 = t106 ? t100 : 0.0f;
+    const uint32_t t109 = state->coasting;
+    const int t110 = t109 == 0U;
+    const magnetic_levitation_status t114 = t110 ? MAGNETIC_LEVITATION_CONVERGED : MAGNETIC_LEVITATION_COASTING;
+    work->t115 = t106 ? t114 : MAGNETIC_LEVITATION_CONVERGING;
 }
 
 void magnetic_levitation_init(magnetic_levitation_state *state)
@@ -247,7 +249,7 @@ void magnetic_levitation_step(magnetic_levitation_state *state, const magnetic_l
     magnetic_levitation_part_1(state, measurements, inputs, &work);
     magnetic_levitation_part_2(state, &work);
 
-    estimate->gap = work.t105;
-    estimate->speed = work.t106;
-    estimate->status = work.t113;
+    estimate->gap = work.t107;
+    estimate->speed = work.t108;
+    estimate->status = work.t115;
 }

@@ -1367,9 +1367,9 @@ typedef struct {
     double t9;
     double t14;
     uint32_t t15;
-    double t36;
+    double t34;
+    double t38;
     double t42;
-    double t48;
     uint32_t t84;
     double t91;
     double t92;
@@ -1475,21 +1475,21 @@ static void mass_chain_part_2(mass_chain_state *state, mass_chain_work *work)
     const int t31 = (-1e305 <= t19) && (t19 <= 1e305);
     const int t32 = work->flags[0] && t31;
     const double t33 = t32 ? t19 : t28;
-    const int t34 = work->flags[1] || t32;
-    const int t35 = !t34;
-    work->t36 = work->flags[1] ? work->t5 : t33;
-    const int t37 = (-1e305 <= t23) && (t23 <= 1e305);
-    const int t38 = work->flags[0] && t37;
-    const double t39 = t38 ? t23 : t29;
-    const int t40 = work->flags[2] || t38;
-    const int t41 = !t40;
-    work->t42 = work->flags[2] ? work->t7 : t39;
-    const int t43 = (-1e305 <= t27) && (t27 <= 1e305);
-    const int t44 = work->flags[0] && t43;
-    const double t45 = t44 ? t27 : t30;
-    const int t46 = work->flags[3] || t44;
-    const int t47 = !t46;
-    work->t48 = work->flags[3] ? work->t9 : t45;
+    work->t34 = work->flags[1] ? work->t5 : t33;
+    const int t35 = (-1e305 <= t23) && (t23 <= 1e305);
+    const int t36 = work->flags[0] && t35;
+    const double t37 = t36 ? t23 : t29;
+    work->t38 = work->flags[2] ? work->t7 : t37;
+    const int t39 = (-1e305 <= t27) && (t27 <= 1e305);
+    const int t40 = work->flags[0] && t39;
+    const double t41 = t40 ? t27 : t30;
+    work->t42 = work->flags[3] ? work->t9 : t41;
+    const int t43 = work->flags[1] || t32;
+    const int t44 = !t43;
+    const int t45 = work->flags[2] || t36;
+    const int t46 = !t45;
+    const int t47 = work->flags[3] || t40;
+    const int t48 = !t47;
     const uint32_t t49 = state->missed_first;
     const int t50 = 60U < t49;
     const int t51 = !work->flags[1];
@@ -1519,8 +1519,8 @@ static void mass_chain_part_2(mass_chain_state *state, mass_chain_work *work)
     const int t73 = t69 && t72;
     const int t74 = work->flags[1] && work->flags[2];
     const int t75 = t74 && work->flags[3];
-    const int t76 = t35 || t41;
-    const int t77 = t76 || t47;
+    const int t76 = t44 || t46;
+    const int t77 = t76 || t48;
     const int t78 = t77 || t73;
 
     /* how much of the window is good */
@@ -1538,9 +1538,9 @@ static void mass_chain_part_2(mass_chain_state *state, mass_chain_work *work)
 
     /* into the window */
     state->newest = work->t15;
-    state->first[work->t15] = work->t36;
-    state->third[work->t15] = work->t42;
-    state->last[work->t15] = work->t48;
+    state->first[work->t15] = work->t34;
+    state->third[work->t15] = work->t38;
+    state->last[work->t15] = work->t42;
     state->push[work->t15] = work->t14;
 }
 
@@ -1912,12 +1912,12 @@ static void mass_chain_part_7(mass_chain_state *state, mass_chain_work *work)
 
     /* the estimate; until the window is full, the start */
     const int t400 = 60U < work->t84;
-    work->t401 = t400 ? work->t244 : work->t36;
+    work->t401 = t400 ? work->t244 : work->t34;
     work->t402 = t400 ? work->t245 : 0.0;
-    work->t403 = t400 ? work->t246 : work->t42;
+    work->t403 = t400 ? work->t246 : work->t38;
     work->t404 = t400 ? work->t247 : 0.0;
     work->t405 = t400 ? work->t248 : 0.0;
-    work->t406 = t400 ? work->t249 : work->t48;
+    work->t406 = t400 ? work->t249 : work->t42;
     work->t407 = t400 ? work->t250 : 0.0;
     work->t408 = t400 ? work->t251 : 0.0;
     work->t409 = t400 ? work->t252 : 0.0;

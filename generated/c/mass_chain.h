@@ -17,7 +17,7 @@
  *   noise gain from third, white       0.0948    0.2088    0.1844    0.1401    0.2858    0.1333    1.592     1.955     2.553     2.043     2.538     2.404
  *   noise gain from last, worst case   0.6618    0.5707    0.8736    1.367     1.378     1.354     8.712     10.71     12.28     20.43     26.08     11.47
  *   noise gain from last, white        0.1134    0.09113   0.1358    0.2065    0.2186    0.2922    1.444     1.666     1.765     3.179     3.783     1.911
- *   error bound, declared noise        2.656e-4  2.945e-4  2.615e-4  3.032e-4  5.109e-4  3.095e-4  0.003841  0.003712  0.004075  0.004861  0.006277  0.004194
+ *   error bound from noise             2.656e-4  2.945e-4  2.615e-4  3.032e-4  5.109e-4  3.095e-4  0.003841  0.003712  0.004075  0.004861  0.006277  0.004194
  *
  * Cost       2955 multiplications, 2952 additions a call, the same for every call
  * Memory     state 2000 bytes, constants 23328 bytes

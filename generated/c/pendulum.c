@@ -433,85 +433,87 @@ void pendulum_step(pendulum_state *state, const pendulum_measurements *measureme
     const uint32_t t7 = (t1 < 50U) ? (t1 + 1U) : 0U;
     const float t8 = state->ahead_theta;
     const float t9 = state->theta[t1];
-    const float t10 = t4 ? t8 : t9;
-    const float t11 = t6 ? t5 : t10;
-    const float t12 = pendulum_sin_f32(t11);
-    const float t13 = state->sin_theta[t1];
-    const float t14 = t12 - t13;
-    const float t16 = 1.070297e-5f * t14;
-    const float t17 = t8 + t16;
-    const int t18 = (-1e35f <= t17) && (t17 <= 1e35f);
-    const int t19 = t4 && t18;
-    const float t20 = t19 ? t17 : t9;
-    const int t21 = t6 || t19;
-    const int t22 = !t21;
-    const float t23 = t6 ? t5 : t20;
+    const int t10 = (-1e35f <= t8) && (t8 <= 1e35f);
+    const int t11 = t4 && t10;
+    const float t12 = t11 ? t8 : t9;
+    const float t13 = t6 ? t5 : t12;
+    const float t14 = pendulum_sin_f32(t13);
+    const float t15 = state->sin_theta[t1];
+    const float t16 = t14 - t15;
+    const float t18 = 1.070297e-5f * t16;
+    const float t19 = t8 + t18;
+    const int t20 = (-1e35f <= t19) && (t19 <= 1e35f);
+    const int t21 = t4 && t20;
+    const float t22 = t21 ? t19 : t9;
+    const int t23 = t6 || t21;
+    const int t24 = !t23;
+    const float t25 = t6 ? t5 : t22;
 
     /* how much of the window is good */
-    const uint32_t t25 = (t2 < 51U) ? (t2 + 1U) : 51U;
-    const uint32_t t26 = t22 ? 0U : t25;
-    const uint32_t t27 = t6 ? t25 : 0U;
-    const uint32_t t28 = t4 ? t26 : t27;
-    state->count = t28;
-    const uint32_t t29 = state->coasting;
-    const uint32_t t30 = (t29 > 0U) ? (t29 - 1U) : 0U;
-    const uint32_t t32 = t6 ? t30 : 51U;
-    state->coasting = t32;
+    const uint32_t t27 = (t2 < 51U) ? (t2 + 1U) : 51U;
+    const uint32_t t28 = t24 ? 0U : t27;
+    const uint32_t t29 = t6 ? t27 : 0U;
+    const uint32_t t30 = t4 ? t28 : t29;
+    state->count = t30;
+    const uint32_t t31 = state->coasting;
+    const uint32_t t32 = (t31 > 0U) ? (t31 - 1U) : 0U;
+    const uint32_t t34 = t6 ? t32 : 51U;
+    state->coasting = t34;
 
     /* into the window */
     state->newest = t7;
-    state->theta[t7] = t23;
-    state->sin_theta[t7] = t12;
+    state->theta[t7] = t25;
+    state->sin_theta[t7] = t14;
 
     /* the sums over the window, newest sample first */
-    float t34 = 0.0f;
-    float t35 = 0.0f;
     float t36 = 0.0f;
     float t37 = 0.0f;
-    uint32_t t38 = t7;
+    float t38 = 0.0f;
+    float t39 = 0.0f;
+    uint32_t t40 = t7;
     for (uint32_t row = 0U; row < 51U; ++row) {
         const float *const gains = PENDULUM_WINDOW[row];
-        const float t39 = state->theta[t38];
-        const float t40 = gains[0];
-        const float t41 = t40 * t39;
-        const float t42 = t34 + t41;
-        const float t43 = gains[1];
-        const float t44 = t43 * t39;
-        const float t45 = t36 + t44;
-        const float t46 = state->sin_theta[t38];
-        const float t47 = gains[2];
-        const float t48 = t47 * t46;
-        const float t49 = t35 + t48;
-        const float t50 = gains[3];
-        const float t51 = t50 * t46;
-        const float t52 = t37 + t51;
-        const uint32_t t53 = ((t38 >= 1U) && (t38 < 51U)) ? (t38 - 1U) : 50U;
-        t34 = t42;
-        t35 = t49;
-        t36 = t45;
-        t37 = t52;
-        t38 = t53;
+        const float t41 = state->theta[t40];
+        const float t42 = gains[0];
+        const float t43 = t42 * t41;
+        const float t44 = t36 + t43;
+        const float t45 = gains[1];
+        const float t46 = t45 * t41;
+        const float t47 = t38 + t46;
+        const float t48 = state->sin_theta[t40];
+        const float t49 = gains[2];
+        const float t50 = t49 * t48;
+        const float t51 = t37 + t50;
+        const float t52 = gains[3];
+        const float t53 = t52 * t48;
+        const float t54 = t39 + t53;
+        const uint32_t t55 = ((t40 >= 1U) && (t40 < 51U)) ? (t40 - 1U) : 50U;
+        t36 = t44;
+        t37 = t51;
+        t38 = t47;
+        t39 = t54;
+        t40 = t55;
     }
-    const float t54 = t34 + t35;
-    const float t55 = t36 + t37;
+    const float t56 = t36 + t37;
+    const float t57 = t38 + t39;
 
     /* the next measurement, as far as it is known */
-    const float t57 = 0.0009999664f * t55;
-    const float t59 = 3.2108732e-5f * t12;
-    const float t60 = t54 + t57;
-    const float t61 = t60 + t59;
-    state->ahead_theta = t61;
+    const float t59 = 0.0009999664f * t57;
+    const float t61 = 3.2108732e-5f * t14;
+    const float t62 = t56 + t59;
+    const float t63 = t62 + t61;
+    state->ahead_theta = t63;
 
     /* the estimate; until the window is full, the start */
-    const int t62 = 50U < t28;
-    const float t63 = t62 ? t54 : t23;
-    const float t64 = t62 ? t55 : 0.0f;
-    const uint32_t t65 = state->coasting;
-    const int t66 = t65 == 0U;
-    const pendulum_status t70 = t66 ? PENDULUM_CONVERGED : PENDULUM_COASTING;
-    const pendulum_status t71 = t62 ? t70 : PENDULUM_CONVERGING;
+    const int t64 = 50U < t30;
+    const float t65 = t64 ? t56 : t25;
+    const float t66 = t64 ? t57 : 0.0f;
+    const uint32_t t67 = state->coasting;
+    const int t68 = t67 == 0U;
+    const pendulum_status t72 = t68 ? PENDULUM_CONVERGED : PENDULUM_COASTING;
+    const pendulum_status t73 = t64 ? t72 : PENDULUM_CONVERGING;
 
-    estimate->theta = t63;
-    estimate->omega = t64;
-    estimate->status = t71;
+    estimate->theta = t65;
+    estimate->omega = t66;
+    estimate->status = t73;
 }

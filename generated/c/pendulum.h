@@ -17,11 +17,12 @@
  *   unit                               rad       rad/s
  *   noise gain from theta, worst case  1.641     58.73
  *   noise gain from theta, white       0.2759    9.497
- *   error bound, declared noise        3.307e-4  0.01207
+ *   error bound from noise             3.307e-4  0.01207
+ *   on top: nonlinear terms are straight lines between samples, second order in the sample time
  *
  * Cost       207 multiplications, 210 additions, 1 sin a call, the same for every call
  * Memory     state 424 bytes, constants 816 bytes
- *            at most: stack 1092 bytes, flash 3596 bytes without elementary functions
+ *            at most: stack 1108 bytes, flash 3696 bytes without elementary functions
  *
  * Contract:
  *  1. No heap, no recursion, no global or static mutable data, no file or console, no library.

@@ -137,7 +137,7 @@ static const double THERMAL_STACK_WINDOW[20][9] = {
 /* What one part of a step hands to the next. */
 typedef struct {
     uint32_t t15;
-    double t23;
+    double t21;
     uint32_t t31;
     double t101;
     double t102;
@@ -171,14 +171,14 @@ static void thermal_stack_part_1(thermal_stack_state *state, const thermal_stack
     const int t18 = (-50.0 <= t16) && (t16 <= 200.0);
     const int t19 = t4 && t18;
     const double t20 = t19 ? t16 : t17;
-    const int t21 = t6 || t19;
-    const int t22 = !t21;
-    work->t23 = t6 ? t5 : t20;
+    work->t21 = t6 ? t5 : t20;
+    const int t22 = t6 || t19;
+    const int t23 = !t22;
     const int t24 = t8 && t12;
 
     /* how much of the window is good */
     const uint32_t t27 = (t2 < 21U) ? (t2 + 1U) : 21U;
-    const uint32_t t28 = t22 ? 0U : t27;
+    const uint32_t t28 = t23 ? 0U : t27;
     const uint32_t t29 = t24 ? t27 : 1U;
     const uint32_t t30 = t6 ? t29 : 0U;
     work->t31 = t4 ? t28 : t30;
@@ -191,7 +191,7 @@ static void thermal_stack_part_1(thermal_stack_state *state, const thermal_stack
 
     /* into the window */
     state->newest = work->t15;
-    state->sensor[work->t15] = work->t23;
+    state->sensor[work->t15] = work->t21;
     state->power[work->t15] = t10;
     state->ambient[work->t15] = t14;
 }
@@ -278,7 +278,7 @@ static void thermal_stack_part_2(thermal_stack_state *state, thermal_stack_work 
     const int t100 = 20U < work->t31;
     work->t101 = t100 ? t90 : 0.0;
     work->t102 = t100 ? t92 : 0.0;
-    work->t103 = t100 ? t94 : work->t23;
+    work->t103 = t100 ? t94 : work->t21;
     const uint32_t t104 = state->coasting;
     const int t105 = t104 == 0U;
     const thermal_stack_status t109 = t105 ? THERMAL_STACK_CONVERGED : THERMAL_STACK_COASTING;

@@ -15,7 +15,7 @@
  *   unit                                K        K        K
  *   noise gain from sensor, worst case  1.228    1.358    1.345
  *   noise gain from sensor, white       0.302    0.3372   0.3367
- *   error bound, declared noise         0.02457  0.02716  0.02689
+ *   error bound from noise              0.02457  0.02716  0.02689
  *
  * Cost       185 multiplications, 190 additions a call, the same for every call
  * Memory     state 528 bytes, constants 1440 bytes

@@ -19,15 +19,16 @@
  *
  *                                            motor_angle  load_angle  motor_speed  load_speed
  *   unit                                     rad          rad         rad/s        rad/s
- *   noise gain from motor_angle, worst case  1.163        0.5451      233          66.09
- *   noise gain from motor_angle, white       0.2221       0.1009      40.79        11.68
- *   noise gain from load_angle, worst case   0.9746       1.337       240.8        98.99
- *   noise gain from load_angle, white        0.1715       0.2413      41.97        17.61
- *   error bound, declared noise              5.455e-4     6.964e-4    0.1321       0.05294
+ *   noise gain from motor_angle, worst case  1.987        4.578       843.1        350
+ *   noise gain from motor_angle, white       0.4784       0.8769      156.7        68.47
+ *   noise gain from load_angle, worst case   0.08073      0.2103      36.53        16.55
+ *   noise gain from load_angle, white        0.01437      0.03731     6.483        2.943
+ *   error bound from noise                   1.398e-4     3.346e-4    0.06048      0.02591
+ *   on top: nonlinear terms are straight lines between samples, second order in the sample time
  *
  * Cost       672 multiplications, 684 additions, 1 sin a call, the same for every call
  * Memory     state 1352 bytes, constants 5248 bytes
- *            at most: stack 3364 bytes, flash 12492 bytes without elementary functions
+ *            at most: stack 3380 bytes, flash 12600 bytes without elementary functions
  *
  * Contract:
  *  1. No heap, no recursion, no global or static mutable data, no file or console, no library.

@@ -19,16 +19,17 @@
 //! Method     window: least squares over the last 101 samples (0.1 s at 0.001 s), stateless
 //! Converged  from call 101 (0.1 s after the first), whatever the initial state
 //!
-//!                                  q         dq        i
-//!   unit                           rad       rad/s     A
-//!   noise gain from y, worst case  1.664     29.6      5.492
-//!   noise gain from y, white       0.1995    3.361     0.6236
-//!   gain from w, worst case        6.774e-4  0.04306   0.007049
-//!   error bound, declared noise    2.365e-4  0.007417  0.001279
+//!                                            q         dq        i
+//!   unit                                     rad       rad/s     A
+//!   noise gain from y, worst case            1.664     29.6      5.492
+//!   noise gain from y, white                 0.1995    3.361     0.6236
+//!   gain from w, worst case                  6.774e-4  0.04306   0.007049
+//!   error bound from noise and disturbances  2.365e-4  0.007417  0.001279
+//!   on top: nonlinear terms are straight lines between samples, second order in the sample time
 //!
 //! Cost       911 multiplications, 918 additions, 1 sin a call, the same for every call
 //! Memory     state 1228 bytes, constants 3600 bytes
-//!            at most: stack 1564 bytes, flash 8252 bytes without elementary functions
+//!            at most: stack 1580 bytes, flash 8352 bytes without elementary functions
 //!
 //! Contract:
 //!  1. No heap, no recursion, no global or static mutable data, no file or console, no library.
@@ -511,26 +512,26 @@ static WINDOW: [[f32; 9]; 100] = [
 /// What one part of a step hands to the next.
 struct Work {
     t11: usize,
-    t19: f32,
-    t30: f32,
-    t37: usize,
-    t121: f32,
-    t122: f32,
+    t21: f32,
+    t32: f32,
+    t39: usize,
     t123: f32,
-    t130: Status,
+    t124: f32,
+    t125: f32,
+    t132: Status,
 }
 
 impl Work {
     /// Before the first part.
     const EMPTY: Self = Self {
         t11: 0,
-        t19: 0.0,
-        t30: 0.0,
-        t37: 0,
-        t121: 0.0,
-        t122: 0.0,
+        t21: 0.0,
+        t32: 0.0,
+        t39: 0,
         t123: 0.0,
-        t130: Status::Converging,
+        t124: 0.0,
+        t125: 0.0,
+        t132: Status::Converging,
     };
 }
 
@@ -549,11 +550,6 @@ impl Observer {
         }
     }
 
-    /// Back to the state before the first sample.
-    pub fn init(&mut self) {
-        *self = Self::new();
-    }
-
     /// One sample: takes the measurements and the inputs applied since the previous call,
     /// gives the estimate.
     pub fn step(&mut self, measurements: Measurements, inputs: Inputs) -> Estimate {
@@ -561,10 +557,10 @@ impl Observer {
         self.part_1(measurements, inputs, &mut work);
         self.part_2(&mut work);
         Estimate {
-            q: work.t121,
-            dq: work.t122,
-            i: work.t123,
-            status: work.t130,
+            q: work.t123,
+            dq: work.t124,
+            i: work.t125,
+            status: work.t132,
         }
     }
 
@@ -588,45 +584,45 @@ impl Observer {
         let t14 = 9.516_694e-8 * t10;
         let t15 = t12 + t14;
         let t16 = self.y[t1];
-        let t17 = if t4 { t15 } else { t16 };
-        let t18 = if t6 { t5 } else { t17 };
-        work.t19 = ::deadbeat::math::sin_f32(t18);
-        let t20 = self.sin_q[t1];
-        let t21 = work.t19 - t20;
-        let t23 = -5.831_721_4e-6 * t21;
-        let t24 = t15 + t23;
-        let t25 = (-1e35..=1e35).contains(&t24);
-        let t26 = t4 && t25;
-        let t27 = if t26 { t24 } else { t16 };
-        let t28 = t6 || t26;
-        let t29 = !t28;
-        work.t30 = if t6 { t5 } else { t27 };
+        let t17 = (-1e35..=1e35).contains(&t15);
+        let t18 = t4 && t17;
+        let t19 = if t18 { t15 } else { t16 };
+        let t20 = if t6 { t5 } else { t19 };
+        work.t21 = ::deadbeat::math::sin_f32(t20);
+        let t22 = self.sin_q[t1];
+        let t23 = work.t21 - t22;
+        let t25 = -5.831_721_4e-6 * t23;
+        let t26 = t15 + t25;
+        let t27 = (-1e35..=1e35).contains(&t26);
+        let t28 = t4 && t27;
+        let t29 = if t28 { t26 } else { t16 };
+        let t30 = t6 || t28;
+        let t31 = !t30;
+        work.t32 = if t6 { t5 } else { t29 };
 
         // how much of the window is good
-        let t33 = if t2 < 101 { t2 + 1 } else { 101 };
-        let t34 = if t29 { 0 } else { t33 };
-        let t35 = if t8 { t33 } else { 1 };
-        let t36 = if t6 { t35 } else { 0 };
-        work.t37 = if t4 { t34 } else { t36 };
-        self.count = work.t37;
-        let t38 = self.coasting;
-        let t39 = t38.saturating_sub(1);
-        let t40 = if t8 { t39 } else { 100 };
-        let t42 = if t6 { t40 } else { 101 };
-        self.coasting = t42;
+        let t35 = if t2 < 101 { t2 + 1 } else { 101 };
+        let t36 = if t31 { 0 } else { t35 };
+        let t37 = if t8 { t35 } else { 1 };
+        let t38 = if t6 { t37 } else { 0 };
+        work.t39 = if t4 { t36 } else { t38 };
+        self.count = work.t39;
+        let t40 = self.coasting;
+        let t41 = t40.saturating_sub(1);
+        let t42 = if t8 { t41 } else { 100 };
+        let t44 = if t6 { t42 } else { 101 };
+        self.coasting = t44;
 
         // into the window
         self.newest = work.t11;
-        self.y[work.t11.min(100)] = work.t30;
+        self.y[work.t11.min(100)] = work.t32;
         self.u[work.t11.min(100)] = t10;
-        self.sin_q[work.t11.min(100)] = work.t19;
+        self.sin_q[work.t11.min(100)] = work.t21;
     }
 
     /// Part 2 of a step.
     fn part_2(&mut self, work: &mut Work) {
         // the sums over the window, newest sample first
-        let mut t44: f32 = 0.0;
-        let mut t45: f32 = 0.0;
         let mut t46: f32 = 0.0;
         let mut t47: f32 = 0.0;
         let mut t48: f32 = 0.0;
@@ -634,91 +630,94 @@ impl Observer {
         let mut t50: f32 = 0.0;
         let mut t51: f32 = 0.0;
         let mut t52: f32 = 0.0;
-        let mut t53: usize = work.t11;
+        let mut t53: f32 = 0.0;
+        let mut t54: f32 = 0.0;
+        let mut t55: usize = work.t11;
         for gains in &WINDOW {
-            let t54 = self.y[t53.min(100)];
-            let t55 = gains[0];
-            let t56 = t55 * t54;
-            let t57 = t44 + t56;
-            let t58 = gains[1];
-            let t59 = t58 * t54;
-            let t60 = t47 + t59;
-            let t61 = gains[2];
-            let t62 = t61 * t54;
-            let t63 = t50 + t62;
-            let t64 = self.u[t53.min(100)];
-            let t65 = gains[3];
-            let t66 = t65 * t64;
-            let t67 = t45 + t66;
-            let t68 = gains[4];
-            let t69 = t68 * t64;
-            let t70 = t48 + t69;
-            let t71 = gains[5];
-            let t72 = t71 * t64;
-            let t73 = t51 + t72;
-            let t74 = self.sin_q[t53.min(100)];
-            let t75 = gains[6];
-            let t76 = t75 * t74;
-            let t77 = t46 + t76;
-            let t78 = gains[7];
-            let t79 = t78 * t74;
-            let t80 = t49 + t79;
-            let t81 = gains[8];
-            let t82 = t81 * t74;
-            let t83 = t52 + t82;
-            let t84 = t53.wrapping_sub(1).min(100);
-            t44 = t57;
-            t45 = t67;
-            t46 = t77;
-            t47 = t60;
-            t48 = t70;
-            t49 = t80;
-            t50 = t63;
-            t51 = t73;
-            t52 = t83;
-            t53 = t84;
+            let t56 = self.y[t55.min(100)];
+            let t57 = gains[0];
+            let t58 = t57 * t56;
+            let t59 = t46 + t58;
+            let t60 = gains[1];
+            let t61 = t60 * t56;
+            let t62 = t49 + t61;
+            let t63 = gains[2];
+            let t64 = t63 * t56;
+            let t65 = t52 + t64;
+            let t66 = self.u[t55.min(100)];
+            let t67 = gains[3];
+            let t68 = t67 * t66;
+            let t69 = t47 + t68;
+            let t70 = gains[4];
+            let t71 = t70 * t66;
+            let t72 = t50 + t71;
+            let t73 = gains[5];
+            let t74 = t73 * t66;
+            let t75 = t53 + t74;
+            let t76 = self.sin_q[t55.min(100)];
+            let t77 = gains[6];
+            let t78 = t77 * t76;
+            let t79 = t48 + t78;
+            let t80 = gains[7];
+            let t81 = t80 * t76;
+            let t82 = t51 + t81;
+            let t83 = gains[8];
+            let t84 = t83 * t76;
+            let t85 = t54 + t84;
+            let t86 = t55.wrapping_sub(1).min(100);
+            t46 = t59;
+            t47 = t69;
+            t48 = t79;
+            t49 = t62;
+            t50 = t72;
+            t51 = t82;
+            t52 = t65;
+            t53 = t75;
+            t54 = t85;
+            t55 = t86;
         }
-        let t85 = self.y[t53.min(100)];
-        let t87 = 0.017_414_83 * t85;
-        let t88 = t44 + t87;
-        let t90 = 0.523_932_6 * t85;
-        let t91 = t47 + t90;
-        let t93 = -0.097_191_17 * t85;
-        let t94 = t50 + t93;
-        let t95 = self.sin_q[t53.min(100)];
-        let t97 = 1.016_090_4e-7 * t95;
-        let t98 = t46 + t97;
-        let t100 = 3.056_951_3e-6 * t95;
-        let t101 = t49 + t100;
-        let t103 = -5.670_742_7e-7 * t95;
-        let t104 = t52 + t103;
-        let t105 = t88 + t45;
-        let t106 = t105 + t98;
-        let t107 = t91 + t48;
-        let t108 = t107 + t101;
-        let t109 = t94 + t51;
-        let t110 = t109 + t104;
+        let t87 = self.y[t55.min(100)];
+        let t89 = 0.017_414_83 * t87;
+        let t90 = t46 + t89;
+        let t92 = 0.523_932_6 * t87;
+        let t93 = t49 + t92;
+        let t95 = -0.097_191_17 * t87;
+        let t96 = t52 + t95;
+        let t97 = self.sin_q[t55.min(100)];
+        let t99 = 1.016_090_4e-7 * t97;
+        let t100 = t48 + t99;
+        let t102 = 3.056_951_3e-6 * t97;
+        let t103 = t51 + t102;
+        let t105 = -5.670_742_7e-7 * t97;
+        let t106 = t54 + t105;
+        let t107 = t90 + t47;
+        let t108 = t107 + t100;
+        let t109 = t93 + t50;
+        let t110 = t109 + t103;
+        let t111 = t96 + t53;
+        let t112 = t111 + t106;
 
         // the next measurement, as far as it is known
-        let t112 = 0.000_999_413_5 * t108;
-        let t114 = 7.021_338e-6 * t110;
-        let t116 = -1.749_340_3e-5 * work.t19;
-        let t117 = t106 + t112;
-        let t118 = t117 + t114;
-        let t119 = t118 + t116;
-        self.ahead_y = t119;
+        let t114 = 0.000_999_413_5 * t110;
+        let t116 = 7.021_338e-6 * t112;
+        let t118 = -1.749_340_3e-5 * work.t21;
+        let t119 = t108 + t114;
+        let t120 = t119 + t116;
+        let t121 = t120 + t118;
+        self.ahead_y = t121;
 
         // the estimate; until the window is full, the start
-        let t120 = 100 < work.t37;
-        work.t121 = if t120 { t106 } else { work.t30 };
-        work.t122 = if t120 { t108 } else { 0.0 };
-        work.t123 = if t120 { t110 } else { 0.0 };
-        let t124 = self.coasting;
-        let t125 = t124 == 0;
-        let t129 = if t125 { Status::Converged } else { Status::Coasting };
-        work.t130 = if t120 { t129 } else { Status::Converging };
+        let t122 = 100 < work.t39;
+        work.t123 = if t122 { t108 } else { work.t32 };
+        work.t124 = if t122 { t110 } else { 0.0 };
+        work.t125 = if t122 { t112 } else { 0.0 };
+        let t126 = self.coasting;
+        let t127 = t126 == 0;
+        let t131 = if t127 { Status::Converged } else { Status::Coasting };
+        work.t132 = if t122 { t131 } else { Status::Converging };
     }
 }
+const _: f32 = SAMPLE_TIME;
 
 impl Default for Observer {
     fn default() -> Self {

@@ -18,7 +18,7 @@
 //!   noise gain from third, white       0.0948    0.2088    0.1844    0.1401    0.2858    0.1333    1.592     1.955     2.553     2.043     2.538     2.404
 //!   noise gain from last, worst case   0.6618    0.5707    0.8736    1.367     1.378     1.354     8.712     10.71     12.28     20.43     26.08     11.47
 //!   noise gain from last, white        0.1134    0.09113   0.1358    0.2065    0.2186    0.2922    1.444     1.666     1.765     3.179     3.783     1.911
-//!   error bound, declared noise        2.656e-4  2.945e-4  2.615e-4  3.032e-4  5.109e-4  3.095e-4  0.003841  0.003712  0.004075  0.004861  0.006277  0.004194
+//!   error bound from noise             2.656e-4  2.945e-4  2.615e-4  3.032e-4  5.109e-4  3.095e-4  0.003841  0.003712  0.004075  0.004861  0.006277  0.004194
 //!
 //! Cost       2955 multiplications, 2952 additions a call, the same for every call
 //! Memory     state 2000 bytes, constants 23328 bytes
@@ -1657,9 +1657,9 @@ struct Work {
     t9: f64,
     t14: f64,
     t15: usize,
-    t36: f64,
+    t34: f64,
+    t38: f64,
     t42: f64,
-    t48: f64,
     t84: usize,
     t91: f64,
     t92: f64,
@@ -1736,9 +1736,9 @@ impl Work {
         t9: 0.0,
         t14: 0.0,
         t15: 0,
-        t36: 0.0,
+        t34: 0.0,
+        t38: 0.0,
         t42: 0.0,
-        t48: 0.0,
         t84: 0,
         t91: 0.0,
         t92: 0.0,
@@ -1826,11 +1826,6 @@ impl Observer {
         }
     }
 
-    /// Back to the state before the first sample.
-    pub fn init(&mut self) {
-        *self = Self::new();
-    }
-
     /// One sample: takes the measurements and the inputs applied since the previous call,
     /// gives the estimate.
     pub fn step(&mut self, measurements: Measurements, inputs: Inputs) -> Estimate {
@@ -1897,21 +1892,21 @@ impl Observer {
         let t31 = (-1e305..=1e305).contains(&t19);
         let t32 = work.flags[0] && t31;
         let t33 = if t32 { t19 } else { t28 };
-        let t34 = work.flags[1] || t32;
-        let t35 = !t34;
-        work.t36 = if work.flags[1] { work.t5 } else { t33 };
-        let t37 = (-1e305..=1e305).contains(&t23);
-        let t38 = work.flags[0] && t37;
-        let t39 = if t38 { t23 } else { t29 };
-        let t40 = work.flags[2] || t38;
-        let t41 = !t40;
-        work.t42 = if work.flags[2] { work.t7 } else { t39 };
-        let t43 = (-1e305..=1e305).contains(&t27);
-        let t44 = work.flags[0] && t43;
-        let t45 = if t44 { t27 } else { t30 };
-        let t46 = work.flags[3] || t44;
-        let t47 = !t46;
-        work.t48 = if work.flags[3] { work.t9 } else { t45 };
+        work.t34 = if work.flags[1] { work.t5 } else { t33 };
+        let t35 = (-1e305..=1e305).contains(&t23);
+        let t36 = work.flags[0] && t35;
+        let t37 = if t36 { t23 } else { t29 };
+        work.t38 = if work.flags[2] { work.t7 } else { t37 };
+        let t39 = (-1e305..=1e305).contains(&t27);
+        let t40 = work.flags[0] && t39;
+        let t41 = if t40 { t27 } else { t30 };
+        work.t42 = if work.flags[3] { work.t9 } else { t41 };
+        let t43 = work.flags[1] || t32;
+        let t44 = !t43;
+        let t45 = work.flags[2] || t36;
+        let t46 = !t45;
+        let t47 = work.flags[3] || t40;
+        let t48 = !t47;
         let t49 = self.missed_first;
         let t50 = 60 < t49;
         let t51 = !work.flags[1];
@@ -1941,8 +1936,8 @@ impl Observer {
         let t73 = t69 && t72;
         let t74 = work.flags[1] && work.flags[2];
         let t75 = t74 && work.flags[3];
-        let t76 = t35 || t41;
-        let t77 = t76 || t47;
+        let t76 = t44 || t46;
+        let t77 = t76 || t48;
         let t78 = t77 || t73;
 
         // how much of the window is good
@@ -1960,9 +1955,9 @@ impl Observer {
 
         // into the window
         self.newest = work.t15;
-        self.first[work.t15.min(60)] = work.t36;
-        self.third[work.t15.min(60)] = work.t42;
-        self.last[work.t15.min(60)] = work.t48;
+        self.first[work.t15.min(60)] = work.t34;
+        self.third[work.t15.min(60)] = work.t38;
+        self.last[work.t15.min(60)] = work.t42;
         self.push[work.t15.min(60)] = work.t14;
     }
 
@@ -2325,12 +2320,12 @@ impl Observer {
 
         // the estimate; until the window is full, the start
         let t400 = 60 < work.t84;
-        work.t401 = if t400 { work.t244 } else { work.t36 };
+        work.t401 = if t400 { work.t244 } else { work.t34 };
         work.t402 = if t400 { work.t245 } else { 0.0 };
-        work.t403 = if t400 { work.t246 } else { work.t42 };
+        work.t403 = if t400 { work.t246 } else { work.t38 };
         work.t404 = if t400 { work.t247 } else { 0.0 };
         work.t405 = if t400 { work.t248 } else { 0.0 };
-        work.t406 = if t400 { work.t249 } else { work.t48 };
+        work.t406 = if t400 { work.t249 } else { work.t42 };
         work.t407 = if t400 { work.t250 } else { 0.0 };
         work.t408 = if t400 { work.t251 } else { 0.0 };
         work.t409 = if t400 { work.t252 } else { 0.0 };
@@ -2354,7 +2349,7 @@ impl ::deadbeat::Observer for Observer {
     type Measurements = Measurements;
     type Inputs = Inputs;
     type Estimate = Estimate;
-    const SAMPLE_TIME: f64 = 0.01;
+    const SAMPLE_TIME: f64 = SAMPLE_TIME;
     fn step(&mut self, measurements: Measurements, inputs: Inputs) -> Estimate {
         Self::step(self, measurements, inputs)
     }

@@ -135,7 +135,6 @@ fn rust_run(Case { program, samples }: &Case) -> String {
     });
     format!(
         "    let mut observer = {name}::Observer::default();
-    observer.init();
     for _ in 0..{count} {{
         let estimate = observer.step({name}::Measurements {{ {measurements} }}{passed});
 {estimates}        output.write_all(&[estimate.status as u8]).unwrap();

@@ -30,10 +30,6 @@ impl Rust<'_> {
             pub const fn new() -> Self {
                 Self { #(#cells)* }
             }
-            /// Back to the state before the first sample.
-            pub fn init(&mut self) {
-                *self = Self::new();
-            }
         }
     }
 

@@ -103,8 +103,19 @@ impl Rust<'_> {
         let inputs = if program.inputs.is_empty() { quote!(()) } else { quote!(Inputs) };
         let (pattern, argument) =
             if program.inputs.is_empty() { (quote!(()), None) } else { (quote!(inputs), Some(quote!(, inputs))) };
-        let sample_time = constant::float(in_double(program.sample_time, program.scalar), Scalar::F64);
+        let decimal = constant::float(in_double(program.sample_time, program.scalar), Scalar::F64);
+        // Used in any case, so that a module that nobody exports gives no warning.
+        let (sample_time, used) = match program.scalar {
+            Scalar::F64 => (quote!(SAMPLE_TIME), None),
+            Scalar::F32 => (
+                decimal,
+                Some(quote!(
+                    const _: f32 = SAMPLE_TIME;
+                )),
+            ),
+        };
         quote! {
+            #used
             impl Default for Observer {
                 fn default() -> Self {
                     Self::new()

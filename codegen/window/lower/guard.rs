@@ -12,7 +12,7 @@ use crate::plant::Plant;
 use crate::program::Scalar;
 
 use super::super::{Functional, Prediction};
-use super::injections::round;
+use super::injections::{round, scale_of};
 
 /// Bounds on what may enter the state.
 pub struct Guard {
@@ -27,6 +27,7 @@ pub struct Guard {
 impl Guard {
     /// Finds the bound; a weight or range that the target's floats cannot hold is an error.
     pub fn new(plant: &Plant, functional: &Functional) -> Result<Self, Vec<Diagnostic>> {
+        refuse_lost_weights(plant, functional)?;
         let gain = largest_gain(plant, functional);
         let (largest, exponents) = match plant.scalar {
             Scalar::F32 => (f64::from(f32::MAX), 0..=37),
@@ -54,6 +55,40 @@ impl Guard {
         let injections = plant.injections.iter().map(|injection| needs(&injection.node)).collect();
         Ok(Self { bound, outputs, injections })
     }
+}
+
+/// Refuses weights that the target's floats cannot hold: beyond their range, or all of a column below it.
+fn refuse_lost_weights(plant: &Plant, functional: &Functional) -> Result<(), Vec<Diagnostic>> {
+    let columns = functional.outputs.iter().chain(&functional.knowns).flat_map(|w| w.columns.iter().flatten());
+    let smallest = match plant.scalar {
+        Scalar::F32 => f64::from(f32::MIN_POSITIVE),
+        Scalar::F64 => f64::MIN_POSITIVE,
+    };
+    let mut all: Vec<Settled> = functional.constant.clone();
+    for column in columns {
+        all.extend(column);
+        let largest = column.iter().map(|w| w.double.abs()).fold(0.0, f64::max);
+        if largest < smallest && largest > 0.0 {
+            return Err(vec![lost(plant, "small", largest)]);
+        }
+    }
+    for prediction in &functional.prediction {
+        let parts = [&prediction.states, &prediction.held, &prediction.end];
+        all.extend(parts.into_iter().flatten().flatten());
+        all.push(prediction.constant);
+    }
+    match all.iter().find(|weight| !weight.value(plant.scalar).is_finite()) {
+        Some(weight) => Err(vec![lost(plant, "large", weight.double)]),
+        None => Ok(()),
+    }
+}
+
+fn lost(plant: &Plant, what: &str, weight: f64) -> Diagnostic {
+    let message = format!("a weight of the design is too {what} for {}", plant.scalar);
+    Diagnostic::error(codes::OUT_OF_RANGE, plant.span.clone(), message)
+        .label(format!("this design has {weight:.1e}"))
+        .measured(weight)
+        .help("choose units in which states and outputs have similar sizes, or write `scalar = \"f64\"`")
 }
 
 fn output_range(plant: &Plant, output: &crate::plant::Output, bound: f64, found: &mut Vec<Diagnostic>) -> (f64, f64) {
@@ -107,10 +142,7 @@ impl Ranges<'_> {
             NodeKind::Sum(terms) => self.parts(terms, Interval::point(0.0), |sum, minus, term| {
                 sum.plus(if minus { term.times(Interval::point(-1.0)) } else { term })
             })?,
-            NodeKind::Product(factors) if factors.iter().all(|(divided, _)| !divided) => {
-                self.parts(factors, Interval::point(1.0), |product, _, factor| product.times(factor))?
-            }
-            NodeKind::Product(_) => return None,
+            NodeKind::Product(factors) => self.product(factors)?,
             NodeKind::Power(base, n) => {
                 let base = self.enclose(base)?;
                 base.power(*n)
@@ -134,6 +166,22 @@ impl Ranges<'_> {
             }
         }
         Some(whole)
+    }
+
+    /// The constant factors first, in one, and then the others, as the step multiplies them.
+    fn product(&self, factors: &[(bool, Node)]) -> Option<Interval> {
+        let (scale, varying) = scale_of(factors);
+        let mut product = Interval::point(scale.to_f64().ok()?);
+        for (divided, factor) in varying {
+            if *divided {
+                return None;
+            }
+            product = product.times(self.enclose(factor)?);
+            if product.magnitude() * 2.0 >= self.largest {
+                return None;
+            }
+        }
+        Some(product)
     }
 
     fn call(&self, function: Function, arguments: &[Node]) -> Option<Interval> {

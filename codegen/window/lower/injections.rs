@@ -105,7 +105,7 @@ fn constant_of(node: &Node) -> Constant {
 }
 
 /// The product of a product's constant factors, exactly, and the other factors.
-fn scale_of(factors: &[(bool, Node)]) -> (Constant, Vec<&(bool, Node)>) {
+pub(super) fn scale_of(factors: &[(bool, Node)]) -> (Constant, Vec<&(bool, Node)>) {
     let mut scale = Poly::from(crate::real::Rational::ONE);
     let mut varying = Vec::new();
     for factor in factors {

@@ -40,7 +40,11 @@ impl<'a> Lowering<'a> {
             self.cells.outputs.clone().iter().map(|ring| self.builder.read_ring(*ring, before)).collect();
         let candidates: Vec<Value> = (0..outputs)
             .map(|o| {
-                let instead = self.builder.select(converged, predicted[o], last[o]);
+                // The injections are guarded for samples within the range; so must be what stands in for one.
+                let (low, high) = self.guard.outputs[o];
+                let sane = self.builder.in_range(predicted[o], low, high);
+                let usable = self.builder.and(converged, sane);
+                let instead = self.builder.select(usable, predicted[o], last[o]);
                 self.builder.select(good[o], measured[o], instead)
             })
             .collect();
