@@ -61,7 +61,8 @@ fn expected(scalar: Scalar) -> String {
 /// A Rust main function that drives an observer of `module` through the trait.
 fn rust_main(modules: &str, calls: &str) -> String {
     format!(
-        "{modules}
+        "#![deny(warnings)] // of unused items too, in modules that nobody exports
+{modules}
 
 /// Generic code: it knows the trait and nothing of the motor.
 fn replay<O: deadbeat::Observer>(mut observer: O, sample: impl Fn(u32) -> (O::Measurements, O::Inputs)) -> Option<O::Estimate> {{
