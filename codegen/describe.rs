@@ -191,7 +191,7 @@ fn certificate(generated: &Generated) -> Vec<String> {
     }
     let mut lines = align(&rows);
     if !bounded && plant.outputs.iter().all(|o| o.noise.is_some()) {
-        lines.push("  no error bound: over the declared ranges, a nonlinear term is as steep as can be".into());
+        lines.push("  no error bound: the slope of a nonlinear term is not bounded over the declared ranges".into());
     }
     if !plant.discrete && plant.injections.iter().any(|i| i.symbols().iter().any(|s| !matches!(s, Symbol::Input(_)))) {
         lines.push(

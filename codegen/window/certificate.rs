@@ -97,8 +97,12 @@ fn disturbance_gains(plant: &Plant, exact: &Exact) -> Vec<Vec<f64>> {
         return vec![vec![f64::INFINITY; plant.disturbances.len()]; n];
     };
     let mut gains = vec![vec![0.0; plant.disturbances.len()]; n];
-    for acc in &exact.accumulated {
-        kernel.add(&acc.to_f64(), &mut gains);
+    let matrices: Vec<Vec<Vec<f64>>> = exact.accumulated.iter().map(Matrix::to_f64).collect();
+    // What is zero in exact arithmetic is left at about 1e-150 of the rest by 512 bits.
+    let floor = matrices.iter().flatten().flatten().fold(0.0_f64, |largest, x| largest.max(x.abs())) * 1e-100;
+    for mut acc in matrices {
+        acc.iter_mut().flatten().filter(|x| x.abs() < floor).for_each(|x| *x = 0.0);
+        kernel.add(&acc, &mut gains);
     }
     gains
 }

@@ -13,12 +13,12 @@
 //! Method     window: smallest worst-case noise gain over the last 41 samples (0.004 s at 0.0001 s), stateless
 //! Converged  from call 41 (0.004 s after the first), whatever the initial state
 //!
-//!                                    gap         speed
-//!   unit                             m           m/s
-//!   noise gain from gap, worst case  1           500
-//!   noise gain from gap, white       1           353.6
-//!   gain from gust, worst case       2.387e-159  0.002
-//!   no error bound: over the declared ranges, a nonlinear term is as steep as can be
+//!                                    gap  speed
+//!   unit                             m    m/s
+//!   noise gain from gap, worst case  1    500
+//!   noise gain from gap, white       1    353.6
+//!   gain from gust, worst case       0    0.002
+//!   no error bound: the slope of a nonlinear term is not bounded over the declared ranges
 //!   on top: nonlinear terms are straight lines between samples, second order in the sample time
 //!
 //! Cost       250 multiplications, 252 additions, 2 divisions a call, the same for every call
