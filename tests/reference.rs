@@ -88,7 +88,6 @@ fn second_order(name: &str, truth: &Truth) {
         errors.push(answers.errors(&run, (steps..3 * steps).map(|k| k * refine)));
         sizes = run.sizes(0);
     }
-    let mut just_second = false;
     for (i, state) in coarse.plant.states.iter().enumerate() {
         let [first, second, third] = [errors[0][i], errors[1][i], errors[2][i]];
         let orders = [(first / second).log2(), (second / third).log2()];
@@ -103,12 +102,12 @@ fn second_order(name: &str, truth: &Truth) {
         }
         // A straight line is wrong by h^2 f''/12 on average; the next term is of order h^4 for smooth
         // runs and h^3 at the jumps of the inputs, which at these sample times moves the order by less than 0.3.
-        // A state that the injections reach only through others may do better: the cart's speed, order 3.
-        assert!(orders.iter().all(|order| *order >= 1.8), "{name} {state}: {orders:?}");
-        just_second |= orders.iter().all(|order| (1.8..2.3).contains(order));
+        // One state does better, as measured: the cart's speed, which the injection reaches only through the
+        // other equation, has an error of 3e-10 of 0.11 that falls with order 3.
+        let expected = if (name, state.as_str()) == ("inverted_cart", "dx") { 2.8..3.3 } else { 1.8..2.3 };
+        assert!(orders.iter().all(|order| expected.contains(order)), "{name} {state}: {orders:?}");
         assert!(third < 1e-3 * size, "{name} {state}: {third:e} of {size:e}");
     }
-    assert!(just_second, "{name}: no state shows that the order is 2 and no more");
 }
 
 /// The status is Converging before the printed step and Converged from it on.
