@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use crate::design::Convergence;
 use crate::diagnostic::Source;
 use crate::emit::Header;
 use crate::expr::Symbol;
@@ -38,6 +39,7 @@ pub fn header(generated: &Generated, source: &Source, language: Language) -> Hea
     lines.extend(equations(plant));
     lines.push(format!("Method     {}: {}", design.method, design.summary));
     lines.push(converged(generated));
+    lines.extend(design.notes.iter().map(|note| format!("           {note}")));
     lines.push(String::new());
     lines.extend(certificate(generated));
     lines.push(String::new());
@@ -145,7 +147,16 @@ fn converged(generated: &Generated) -> String {
     let step = generated.design.valid_from_step;
     let time = format!("{:.9}", crate::window::seconds(step, generated.plant.sample_time_s()));
     let time = time.trim_end_matches('0').trim_end_matches('.');
-    format!("Converged  from call {} ({time} s after the first), whatever the initial state", step + 1)
+    match generated.design.convergence {
+        Convergence::Finite => {
+            format!("Converged  from call {} ({time} s after the first), whatever the initial state", step + 1)
+        }
+        Convergence::Geometric { radius, period } => format!(
+            "Converged  from call {} ({time} s after the first) to 1e-6 of the initial error; by {} every {period} calls",
+            step + 1,
+            short(radius)
+        ),
+    }
 }
 
 /// What a call takes, at most and always.

@@ -82,6 +82,38 @@ pub struct Numerics {
     pub unbiasedness: f64,
 }
 
+/// How the estimate comes to its bound.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Convergence {
+    /// Exact from [`Design::valid_from_step`] on, whatever the initial state.
+    Finite,
+    /// By a factor each period; [`Design::valid_from_step`] is when [`CONTRACTED`] of the initial error is left.
+    Geometric {
+        /// Spectral radius of the linear part's error map over one period.
+        radius: f64,
+        /// Samples of that period.
+        period: usize,
+    },
+}
+
+/// What is left of an initial error when a geometric convergence counts as done.
+pub const CONTRACTED: f64 = 1e-6;
+
+/// A way to compute the step, with what it would cost and whether it may run.
+#[derive(Clone, Debug)]
+pub struct Realization {
+    /// As the user names it.
+    pub name: &'static str,
+    /// Numbers of state.
+    pub words: usize,
+    /// Additions and multiplications of the estimate, per step.
+    pub flops: usize,
+    /// Constants in tables.
+    pub constants: usize,
+    /// Why it may run, or the number that forbids it.
+    pub verdict: Result<String, String>,
+}
+
 /// A design, complete.
 #[derive(Clone, Debug)]
 pub struct Design {
@@ -95,6 +127,12 @@ pub struct Design {
     pub window_steps: usize,
     /// The first step (from 0) whose estimate is within its bound.
     pub valid_from_step: usize,
+    /// How it comes to its bound.
+    pub convergence: Convergence,
+    /// All realisations that the method knows, the chosen one first; empty where there is but one.
+    pub realizations: Vec<Realization>,
+    /// What the method's own theorem says of this plant, a line each: conditions, bounds, rates.
+    pub notes: Vec<String>,
     /// For reports.
     pub constants: Vec<NamedMatrix>,
     /// For reports.

@@ -81,6 +81,7 @@ impl Generator {
         let report = |diagnostics| Report::new(self.source.clone(), diagnostics);
         let spec = Spec::parse(self.source.clone(), self.settings)?;
         let (plant, mut warnings) = Plant::new(&spec)?;
+        let plant = spec.observer.keyed.observed(plant).map_err(report)?;
         let design = spec.observer.keyed.design(&plant).map_err(report)?;
         let program = design.lower(&plant).map_err(report)?;
         warnings.extend(design.warnings.iter().cloned());

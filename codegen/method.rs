@@ -36,6 +36,11 @@ pub struct Method {
 
 /// A method with its keys read.
 pub trait Keyed: Debug + Send + Sync {
+    /// The plant whose states are estimated: where unknown constants are estimated too, they are states of it.
+    fn observed(&self, plant: Plant) -> Result<Plant, Vec<Diagnostic>> {
+        Ok(plant)
+    }
+
     /// Designs the observer for a plant, or says everything that stands against it.
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>>;
 }
@@ -47,6 +52,8 @@ pub fn designed(text: &str) -> Result<(Plant, Design), String> {
     let spec =
         crate::spec::Spec::parse(source.clone(), crate::spec::Settings::default()).map_err(|r| r.render(false))?;
     let (plant, _) = Plant::new(&spec).map_err(|r| r.render(false))?;
+    let plant = spec.observer.keyed.observed(plant);
+    let plant = plant.map_err(|found| crate::diagnostic::Report::new(source.clone(), found).render(false))?;
     let design = spec.observer.keyed.design(&plant);
     let design = design.map_err(|found| crate::diagnostic::Report::new(source, found).render(false))?;
     Ok((plant, design))

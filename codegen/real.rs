@@ -38,7 +38,7 @@ pub mod solve;
 pub use agreement::{Agreement, compare};
 pub use balance::equilibrated_columns;
 pub use elementary::Undefined;
-pub use exponential::{NormTooLarge, exponential, first_order_hold, zero_order_hold};
+pub use exponential::{NormTooLarge, exponential, first_order_hold, third_order_hold, zero_order_hold};
 pub use gramian::gramian;
 pub use matrix::Matrix;
 pub use number::{Precision, Real};

@@ -6,6 +6,8 @@
 //! weights, [`certificate`] sums them, [`lower`] turns them into a Program.
 
 pub mod certificate;
+pub mod coordinates;
+pub mod innovation;
 pub mod lower;
 pub mod minimax;
 pub mod model;

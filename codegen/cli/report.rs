@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use deadbeat_codegen::describe::{self, short};
+use deadbeat_codegen::design::{Convergence, Design, Realization};
 use deadbeat_codegen::plant::modes::modes;
 use deadbeat_codegen::program::cost::{Cost, cost};
 use deadbeat_codegen::{Generated, Language, Source, VERSION};
@@ -25,6 +26,11 @@ pub fn json(generated: &Generated) -> Value {
     let certificate = &design.certificate;
     let warnings: Vec<Value> =
         generated.report.diagnostics.iter().map(|d| json!({ "code": d.code, "message": d.message })).collect();
+    let (radius, period) = match design.convergence {
+        Convergence::Finite => (0.0, design.window_steps),
+        Convergence::Geometric { radius, period } => (radius, period),
+    };
+    let realizations: Vec<Value> = design.realizations.iter().map(realization).collect();
     json!({
         "deadbeat": VERSION,
         "name": plant.name,
@@ -38,6 +44,9 @@ pub fn json(generated: &Generated) -> Value {
         "sample_time": plant.sample_time_s(),
         "window_steps": design.window_steps,
         "valid_from_step": design.valid_from_step,
+        "convergence": { "radius": radius, "period": period },
+        "realizations": realizations,
+        "notes": design.notes,
         "modes": modes(plant),
         "constants": constants,
         "fir": fir,
@@ -64,6 +73,38 @@ pub fn json(generated: &Generated) -> Value {
     })
 }
 
+fn realization(realization: &Realization) -> Value {
+    let (possible, because) = match &realization.verdict {
+        Ok(why) => (true, why),
+        Err(why) => (false, why),
+    };
+    json!({
+        "name": realization.name,
+        "words": realization.words,
+        "flops": realization.flops,
+        "constants": realization.constants,
+        "possible": possible,
+        "because": because,
+    })
+}
+
+/// The decision table: what each realisation would cost, and why it may or may not run.
+fn decision(design: &Design) -> String {
+    let mut text = String::new();
+    for (place, realization) in design.realizations.iter().enumerate() {
+        let (mark, because) = match &realization.verdict {
+            Ok(why) => (if place == 0 { "chosen  " } else { "possible" }, why),
+            Err(why) => ("refused ", why),
+        };
+        let _ = writeln!(
+            text,
+            "  {:<10} {mark} {:>7} words {:>7} flops {:>7} constants  {because}",
+            realization.name, realization.words, realization.flops, realization.constants
+        );
+    }
+    text
+}
+
 /// The design for people.
 pub fn text(generated: &Generated) -> String {
     let design = &generated.design;
@@ -77,6 +118,7 @@ pub fn text(generated: &Generated) -> String {
     }
     let numerics = &design.numerics;
     let _ = writeln!(text, "Realization  {}", design.realization);
+    text.push_str(&decision(design));
     let _ = writeln!(
         text,
         "Numerics     {} digits, agreeing to {:.0} with twice as many; condition {}; acc_(N+1) = {:.0e} of its history",

@@ -24,7 +24,7 @@ use std::sync::Arc;
 
 use super::{Keyed, Method};
 use crate::decimal::show;
-use crate::design::{Design, Fir, NamedMatrix, Shape};
+use crate::design::{Convergence, Design, Fir, NamedMatrix, Shape};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::expr::List;
 use crate::plant::Plant;
@@ -114,6 +114,9 @@ impl Keyed for Keys {
             summary: self.summary(plant, steps),
             window_steps: steps,
             valid_from_step: steps,
+            convergence: Convergence::Finite,
+            realizations: Vec::new(),
+            notes: Vec::new(),
             constants: constants(&exact.model),
             fir: Some(fir(plant, &functional)),
             certificate,

@@ -162,6 +162,54 @@ pub fn first_order_hold(a: &Matrix, b: &Matrix, h: &Real) -> Result<(Matrix, Mat
     Ok((result.block(0..n, 0..n).with_precision(p), gamma0, ramp.with_precision(p)))
 }
 
+/// What the polynomial through four samples of `w`, one step apart, does over one step of `x' = a x + b w`: the
+/// factors of the samples, oldest first, shapes as `gamma` in [`zero_order_hold`]. The step goes from the sample at
+/// place `start` (0, 1 or 2) to the next: with 2 the newest sample is the step's end, so that the hold is causal.
+/// Their sum is the `gamma` of the zero-order hold.
+///
+/// # Errors
+/// [`NormTooLarge`] as in [`exponential`].
+///
+/// # Panics
+/// If the shapes of `a` and `b` do not fit, or there is no sample behind `start`.
+#[allow(clippy::many_single_char_names, reason = "the letters of the textbooks")]
+pub fn third_order_hold(a: &Matrix, b: &Matrix, h: &Real, start: usize) -> Result<[Matrix; 4], NormTooLarge> {
+    assert!(start < 3, "the step lies between two of the four samples");
+    let (n, m) = (a.rows(), b.cols());
+    let p = a.precision().max(b.precision()).max(h.precision());
+    let h = h.with_precision(p.plus(GUARD));
+    let mut block = Matrix::zeros(n + 4 * m, n + 4 * m, h.precision());
+    block.set_block(0, 0, &a.scale(&h));
+    block.set_block(0, n, &b.scale(&h));
+    for k in 0..3 {
+        block.set_block(n + k * m, n + (k + 1) * m, &Matrix::identity(m, h.precision()));
+    }
+    let result = exponential(&block)?;
+    // Column k is the response to (t / h)^k / k!.
+    let powers: Vec<Matrix> = (0..4).map(|k| result.block(0..n, n + k * m..n + (k + 1) * m)).collect();
+    let whole = |x: i64| Real::from_i64(x, h.precision());
+    Ok(std::array::from_fn(|node| {
+        // Lagrange's polynomial of this node over theta = t / h, by coefficients.
+        let places: Vec<i64> = (0..4).filter(|j| *j != node).map(|j| offset(j, start)).collect();
+        let own = offset(node, start);
+        let scale: i64 = places.iter().map(|place| own - place).product();
+        let [r, s, t] = [places[0], places[1], places[2]];
+        let coefficients = [-r * s * t, r * s + r * t + s * t, -(r + s + t), 1];
+        let factorials = [1, 1, 2, 6];
+        let terms = powers.iter().zip(coefficients).zip(factorials);
+        terms
+            .map(|((power, c), factorial)| power.scale(&(whole(c * factorial) / whole(scale))))
+            .fold(Matrix::zeros(n, m, h.precision()), |sum, term| &sum + &term)
+            .with_precision(p)
+    }))
+}
+
+/// Where a sample lies, in steps behind the beginning of the step.
+#[allow(clippy::cast_possible_wrap, reason = "numbers below four")]
+const fn offset(node: usize, start: usize) -> i64 {
+    node as i64 - start as i64
+}
+
 #[cfg(test)]
 #[allow(clippy::cast_possible_wrap, reason = "small numbers")]
 mod tests {
@@ -267,6 +315,30 @@ mod tests {
         close(&gamma1[(0, 0)], &h * &h / Real::from_i64(6, p));
         close(&gamma0[(1, 0)], h.shifted(-1));
         close(&gamma1[(1, 0)], h.shifted(-1));
+    }
+
+    #[test]
+    fn the_third_order_hold_is_exact_for_cubics_wherever_the_step_lies() {
+        let p = Precision::bits(200);
+        let (a, b, h) = (arbitrary(4, 4, p).shifted(1), arbitrary(4, 1, p), Real::from_i64(1, p).shifted(-3));
+        let (_, whole) = zero_order_hold(&a, &b, &h).unwrap();
+        // x' = a x + b (t / h)^3 as an autonomous system.
+        let mut block = Matrix::zeros(8, 8, p);
+        block.set_block(0, 0, &a);
+        block.set_block(0, 4, &b);
+        for k in 0..3 {
+            block[(4 + k, 5 + k)] = Real::from_i64(3 - k as i64, p) / &h;
+        }
+        let exact = exponential(&block.scale(&h)).unwrap().block(0..4, 7..8);
+        for start in 0..3 {
+            let factors = third_order_hold(&a, &b, &h, start).unwrap();
+            let sum = factors.iter().fold(Matrix::zeros(4, 1, p), |sum, factor| &sum + factor);
+            assert!(distance(&sum, &whole) < -190.0);
+            let cubic = factors.iter().enumerate().fold(Matrix::zeros(4, 1, p), |sum, (node, factor)| {
+                &sum + &factor.scale(&Real::from_i64(offset(node, start).pow(3), p))
+            });
+            assert!(distance(&cubic, &exact) < -188.0);
+        }
     }
 
     #[test]
