@@ -9,6 +9,7 @@ use crate::expr::Symbol;
 use crate::output::Language;
 use crate::plant::Plant;
 use crate::program::cost::cost;
+use crate::window::model::Between;
 use crate::{Generated, VERSION};
 
 /// How the first line of a generated file's provenance begins.
@@ -205,9 +206,11 @@ fn certificate(generated: &Generated) -> Vec<String> {
         lines.push("  no error bound: the slope of a nonlinear term is not bounded over the declared ranges".into());
     }
     if !plant.discrete && plant.injections.iter().any(|i| i.symbols().iter().any(|s| !matches!(s, Symbol::Input(_)))) {
-        lines.push(
-            "  on top: nonlinear terms are straight lines between samples, second order in the sample time".into(),
-        );
+        let course = match generated.design.shape.between() {
+            Between::Lines => "straight lines between samples, second order in the sample time",
+            Between::Cubics => "cubics between samples, fourth order in the sample time",
+        };
+        lines.push(format!("  on top: nonlinear terms are {course}"));
     }
     lines
 }

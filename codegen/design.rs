@@ -8,7 +8,8 @@ use crate::diagnostic::Diagnostic;
 use crate::plant::Plant;
 use crate::program::{Program, Scalar};
 use crate::real::Real;
-use crate::window::{self, Functional};
+use crate::window::model::Between;
+use crate::window::{self, Functional, Part};
 
 /// A constant after its one rounding, in both float types.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -152,6 +153,16 @@ pub struct Design {
 pub enum Shape {
     /// A functional over the last N samples.
     Window(Functional),
+}
+
+impl Shape {
+    /// How nonlinear terms run between samples.
+    pub fn between(&self) -> Between {
+        match self {
+            Self::Window(functional) if functional.signals.iter().any(|s| s.part == Part::Curves) => Between::Cubics,
+            Self::Window(_) => Between::Lines,
+        }
+    }
 }
 
 impl Design {

@@ -6,14 +6,17 @@
 //! weights, [`certificate`] sums them, [`lower`] turns them into a Program.
 
 pub mod certificate;
+pub mod continuous;
 pub mod coordinates;
 pub mod innovation;
+pub mod intermittent;
 pub mod lower;
 pub mod minimax;
 pub mod model;
 pub mod samples;
 pub mod settle;
 pub mod solve;
+pub mod tune;
 
 use std::ops::Range;
 
@@ -37,6 +40,17 @@ pub struct Functional {
     pub constant: Vec<Settled>,
     /// How the next measurement is predicted, per output.
     pub prediction: Vec<Prediction>,
+    /// Where measurements may come at irregular times.
+    pub gaps: Option<Gaps>,
+}
+
+/// Measurements at irregular times: a prediction stands in between them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Gaps {
+    /// Samples from one measurement to the next, at most.
+    pub most: usize,
+    /// Calls until the error has died out.
+    pub settled: usize,
 }
 
 /// The weights of one signal by age; `None` marks a structural zero.
@@ -116,6 +130,8 @@ pub enum Part {
     Held,
     /// Straight from sample to sample: the value now.
     Runs,
+    /// A cubic through four samples: the value now.
+    Curves,
     /// Evaluated at the previous sample with the input since then: the interval's start.
     Start,
     /// Evaluated at the sample now with the input until now: the interval's end.
@@ -127,7 +143,7 @@ impl Part {
     pub const fn lag(self) -> usize {
         match self {
             Self::Held | Self::Start => 1,
-            Self::Runs | Self::End => 0,
+            Self::Runs | Self::Curves | Self::End => 0,
         }
     }
 }

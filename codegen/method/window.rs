@@ -34,10 +34,10 @@ use crate::spec::Quantity;
 use crate::spec::reader::Table;
 use crate::window::certificate::certify;
 use crate::window::minimax::best_rows;
-use crate::window::model::{Model, signals};
+use crate::window::model::{Between, Model, signals_between};
 use crate::window::settle::settle;
 use crate::window::solve::{Choice, observability, output_powers, trusted};
-use crate::window::{Functional, count, refuse_much_work, seconds, trimmed, whole_samples};
+use crate::window::{Functional, Part, Signal, count, refuse_much_work, seconds, trimmed, whole_samples};
 
 /// The registry's entry.
 pub const METHOD: Method = Method {
@@ -46,6 +46,7 @@ pub const METHOD: Method = Method {
     source: "Mazenc and Malisoff 2022 (parameters and states), (9), (19) without unknowns, made exact for samples",
     keys: &[
         ("window", "s", "length of the window, a whole number of samples; the estimate has converged after it"),
+        ("hold", "\"first\" | \"third\"", "how nonlinear terms run between samples: order 2 (default) or 4"),
         (
             "weights",
             "\"equal\" | \"minimax\"",
@@ -63,6 +64,8 @@ pub const METHOD: Method = Method {
 struct Keys {
     window: Quantity,
     weighting: Weighting,
+    between: Between,
+    place: Range<usize>,
 }
 
 /// Which of the unbiased weights are wanted.
@@ -82,8 +85,10 @@ fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
     }
     let words = [("equal", Weighting::Equal), ("minimax", Weighting::Minimax)];
     let weighting = table.choice("weights", &words, Weighting::Equal);
+    let place = table.key_span("hold");
+    let between = table.choice("hold", &[("first", Between::Lines), ("third", Between::Cubics)], Between::Lines);
     table.choice("realization", &[("auto", ()), ("fir", ())], ());
-    Some(Arc::new(Keys { window: window?, weighting }))
+    Some(Arc::new(Keys { window: window?, weighting, between, place }))
 }
 
 /// Bits at which observability is judged; a tolerance of half of them is far from any rounding.
@@ -93,19 +98,21 @@ const VERDICTS: [usize; 3] = [VERDICT_BITS, 1_024, 4_096];
 
 impl Keyed for Keys {
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {
-        let mut found = refuse_unknowns(plant);
-        let steps = self.steps(plant, &mut found);
+        let mut found = refuse_unknowns(plant, METHOD.name);
+        let steps = window_steps(plant, &self.window, &mut found);
         let delays = delays(plant, &mut found);
         let (Some(steps), Some(delays)) = (steps, delays) else { return Err(found) };
         let span = self.window.span();
         refuse_long_delays(plant, &delays, steps, &span, &mut found);
         refuse_much_work(plant, steps, &span, &mut found);
+        let signals = signals_between(plant, self.between);
+        check_cubics(plant, &signals, self.between, steps, &self.place, &mut found);
         if !found.is_empty() {
             return Err(found);
         }
         let condition = verdict(plant, &delays, steps, &span)?;
         let choice = self.choice(plant, &delays, steps)?;
-        let (functional, exact, mut numerics) = settle(plant, &signals(plant), &delays, steps, &choice)?;
+        let (functional, exact, mut numerics) = settle(plant, &signals, &delays, steps, &choice)?;
         numerics.condition = condition;
         let certificate = certify(plant, &functional, &exact);
         Ok(Design {
@@ -147,25 +154,55 @@ impl Keys {
         };
         format!("{what} over the last {} samples ({} s at {h} s), stateless", steps + 1, trimmed(seconds(steps, h)))
     }
+}
 
-    /// N.
-    fn steps(&self, plant: &Plant, found: &mut Vec<Diagnostic>) -> Option<usize> {
-        let span = self.window.span();
-        let window = plant.constant(&self.window, found)?;
-        let seconds = window.to_f64().unwrap_or(f64::NAN);
-        if seconds <= 0.0 || !seconds.is_finite() {
-            let message = format!("the window must be longer than 0 s, not {}", show(seconds));
-            let error = Diagnostic::error(codes::BAD_NUMBER, span, message).measured(seconds);
-            found.push(error.help("write the seconds after which the estimate is to be exact"));
-            return None;
-        }
-        whole_samples(&window, &span, "the window", plant, found)
+/// Reports what stands against cubics between samples.
+pub(super) fn check_cubics(
+    plant: &Plant,
+    signals: &[Signal],
+    between: Between,
+    steps: usize,
+    span: &Range<usize>,
+    found: &mut Vec<Diagnostic>,
+) {
+    if between == Between::Lines {
+        return;
+    }
+    let refuse = |message: String| Diagnostic::error(codes::METHOD_CANNOT, span.clone(), message);
+    if plant.discrete {
+        let message = "`hold = \"third\"` is for plants in continuous time".to_owned();
+        found.push(refuse(message).help("leave `hold` out: a discrete plant has nothing between samples"));
+    }
+    if steps < 3 {
+        let message = "`hold = \"third\"` needs a window of at least 3 samples".to_owned();
+        found.push(refuse(message).measured(count(steps)).help("a longer window, or `hold = \"first\"`"));
+    }
+    if let Some(jumps) = signals.iter().find(|signal| signal.part == Part::Start) {
+        let message =
+            format!("no cubic runs through `{}`: its input jumps", jumps.text.trim_end_matches(" at the start"));
+        found.push(
+            refuse(message).help("give the input `hold = \"first\"`, or use `hold = \"first\"` for the observer"),
+        );
     }
 }
 
-fn refuse_unknowns(plant: &Plant) -> Vec<Diagnostic> {
+/// N, from the key `window`.
+pub(super) fn window_steps(plant: &Plant, window: &Quantity, found: &mut Vec<Diagnostic>) -> Option<usize> {
+    let span = window.span();
+    let window = plant.constant(window, found)?;
+    let seconds = window.to_f64().unwrap_or(f64::NAN);
+    if seconds <= 0.0 || !seconds.is_finite() {
+        let message = format!("the window must be longer than 0 s, not {}", show(seconds));
+        let error = Diagnostic::error(codes::BAD_NUMBER, span, message).measured(seconds);
+        found.push(error.help("write the seconds after which the estimate is to be exact"));
+        return None;
+    }
+    whole_samples(&window, &span, "the window", plant, found)
+}
+
+pub(super) fn refuse_unknowns(plant: &Plant, method: &str) -> Vec<Diagnostic> {
     let refuse = |unknown: &crate::plant::Unknown| {
-        let message = format!("the method `window` does not estimate the unknown `{}`", unknown.label.name);
+        let message = format!("the method `{method}` does not estimate the unknown `{}`", unknown.label.name);
         Diagnostic::error(codes::METHOD_CANNOT, unknown.label.span.clone(), message)
             .context(plant.span.clone(), "this method estimates states only")
             .help("declare it as a state whose derivative is '0'; the method that takes unknown constants as such is `parameters`")
@@ -210,7 +247,12 @@ fn refuse_long_delays(
 }
 
 /// Whether the outputs show every state, and within this window; the condition number.
-fn verdict(plant: &Plant, delays: &[usize], steps: usize, window: &Range<usize>) -> Result<f64, Vec<Diagnostic>> {
+pub(super) fn verdict(
+    plant: &Plant,
+    delays: &[usize],
+    steps: usize,
+    window: &Range<usize>,
+) -> Result<f64, Vec<Diagnostic>> {
     let n = plant.states.len();
     let p = Precision::bits(VERDICT_BITS);
     let model = Model::new(plant, &[], p)?;
@@ -318,7 +360,7 @@ fn one_of(names: &[&str]) -> String {
 }
 
 /// Time since init loses its last digits in single precision, and ends when the calls have been counted.
-fn time_warning(plant: &Plant) -> Option<Diagnostic> {
+pub(super) fn time_warning(plant: &Plant) -> Option<Diagnostic> {
     use crate::expr::Symbol;
     let timed = plant.injections.iter().find(|i| i.symbols().contains(&Symbol::Time))?;
     let span = timed.node.span.clone();
@@ -342,7 +384,7 @@ fn constants(model: &Model) -> Vec<NamedMatrix> {
 }
 
 /// Samples that lose more by being stored in single precision than the noise that is declared.
-fn resolution_warnings(plant: &Plant) -> Vec<Diagnostic> {
+pub(super) fn resolution_warnings(plant: &Plant) -> Vec<Diagnostic> {
     let single = plant.scalar == Scalar::F32;
     plant.outputs.iter().filter(|_| single).filter_map(resolution_warning).collect()
 }
@@ -363,7 +405,7 @@ fn resolution_warning(output: &crate::plant::Output) -> Option<Diagnostic> {
 }
 
 /// K and M by age, for reports.
-fn fir(plant: &Plant, functional: &Functional) -> Fir {
+pub(super) fn fir(plant: &Plant, functional: &Functional) -> Fir {
     let n = plant.states.len();
     let by_age = |entry: &dyn Fn(usize, usize) -> Vec<f64>| -> Vec<Vec<Vec<f64>>> {
         (0..=functional.steps).map(|age| (0..n).map(|i| entry(age, i)).collect()).collect()

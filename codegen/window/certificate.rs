@@ -58,7 +58,7 @@ fn error_bound(
 }
 
 /// The steepest slope of an injection in one output, over the ranges of all outputs.
-fn slope(plant: &Plant, injection: usize, output: usize) -> Option<f64> {
+pub fn slope(plant: &Plant, injection: usize, output: usize) -> Option<f64> {
     let poly = &plant.injections[injection].node.poly;
     let mut steepest = 0.0;
     for (j, state) in plant.states.iter().enumerate() {

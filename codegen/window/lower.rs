@@ -127,6 +127,11 @@ fn late_len(functional: &Functional, output: usize) -> u32 {
     u32::try_from(functional.delays[output]).unwrap_or_else(|_| unreachable!("delays are bounded"))
 }
 
+/// A number of calls.
+fn bounded(calls: usize) -> u32 {
+    u32::try_from(calls).unwrap_or(u32::MAX)
+}
+
 fn field(name: &str, unit: &str, doc: &str) -> Field {
     Field { name: name.to_owned(), unit: unit.to_owned(), doc: doc.to_owned() }
 }

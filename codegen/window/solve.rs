@@ -13,7 +13,7 @@
 
 use crate::real::{Matrix, Precision, RankDeficient, Real, pseudo_inverse};
 
-use super::model::Model;
+use super::model::{Effect, Model};
 use super::{Part, Signal, minimax};
 
 /// Which of the unbiased weights are taken.
@@ -102,22 +102,51 @@ impl Exact {
                 by_age[*age][(i, *output)] = weights.get(i, place).clone();
             }
         }
-        let outputs = (0..delays.len()).map(|o| {
-            let state = |i: usize| (delays[o]..=steps).map(|age| by_age[age].get(i, o).clone()).collect();
-            (0..n).map(state).collect()
-        });
-        let outputs = outputs.collect();
         let (accumulated, unbiasedness) = accumulate(&model, &by_age, &powers, p);
-        let first: Vec<usize> = model.effects.iter().map(|e| usize::from(e.at_end.is_none())).collect();
-        let knowns = (0..signals.len()).map(|s| known_weights(&model, s, &accumulated, signals[s].part)).collect();
-        let mut constant = Matrix::zeros(n, 1, p);
-        for acc in &accumulated {
-            constant = &constant + &(acc * &model.constant);
-        }
-        let constant = (0..n).map(|i| constant.get(i, 0).clone()).collect();
-        let prediction = (0..delays.len()).map(|o| predict(&model, signals, o, delays[o])).collect();
-        Ok(Self { model, outputs, knowns, first, constant, prediction, accumulated, unbiasedness })
+        Ok(Self::assembled(model, signals, delays, &by_age, accumulated, unbiasedness))
     }
+
+    /// From weights that are known, by age: `steps` + 1 of n x p.
+    pub fn from_weights(model: Model, signals: &[Signal], by_age: &[Matrix]) -> Self {
+        let steps = by_age.len() - 1;
+        let (p, delays) = (model.phi.precision(), vec![0; model.c.rows()]);
+        let (accumulated, unbiasedness) = accumulate(&model, by_age, &output_powers(&model, steps), p);
+        Self::assembled(model, signals, &delays, by_age, accumulated, unbiasedness)
+    }
+
+    fn assembled(
+        model: Model,
+        signals: &[Signal],
+        delays: &[usize],
+        by_age: &[Matrix],
+        accumulated: Vec<Matrix>,
+        unbiasedness: f64,
+    ) -> Self {
+        let outputs = by_output(by_age, delays);
+        let first = first_ages(&model.effects);
+        let knowns = model.effects.iter().zip(signals).map(|(e, s)| known_weights(e, &accumulated, s.part)).collect();
+        let constant = of_constant(&accumulated, &model.constant);
+        let prediction = (0..delays.len()).map(|o| predict(&model, signals, o, delays[o])).collect();
+        Self { model, outputs, knowns, first, constant, prediction, accumulated, unbiasedness }
+    }
+}
+
+/// Weights by output, state and call age.
+pub fn by_output(by_age: &[Matrix], delays: &[usize]) -> Vec<Vec<Vec<Real>>> {
+    let of = |o: usize, i: usize| by_age[delays[o]..].iter().map(|weights| weights.get(i, o).clone()).collect();
+    (0..delays.len()).map(|o| (0..by_age[0].rows()).map(|i| of(o, i)).collect()).collect()
+}
+
+/// Per signal, the first call age with a weight.
+pub fn first_ages(effects: &[Effect]) -> Vec<usize> {
+    effects.iter().map(|effect| usize::from(effect.at_end.is_none())).collect()
+}
+
+/// What a constant drift adds.
+pub fn of_constant(accumulated: &[Matrix], constant: &Matrix) -> Vec<Real> {
+    let zero = Matrix::zeros(constant.rows(), 1, constant.precision());
+    let sum = accumulated.iter().fold(zero, |sum, acc| &sum + &(acc * constant));
+    (0..constant.rows()).map(|i| sum.get(i, 0).clone()).collect()
 }
 
 /// Rows times what they count by.
@@ -149,7 +178,7 @@ fn choose(choice: &Choice, observability: &Matrix, trust: &[Real], through: &Mat
 ///
 /// Column j of acc is measured in what the outputs see of state j, so that it has the unit of K's rows; the
 /// distance of a row is against the largest entry of K and of acc's history in that row.
-fn accumulate(model: &Model, by_age: &[Matrix], powers: &[Matrix], p: Precision) -> (Vec<Matrix>, f64) {
+pub fn accumulate(model: &Model, by_age: &[Matrix], powers: &[Matrix], p: Precision) -> (Vec<Matrix>, f64) {
     let n = model.phi.rows();
     let mut acc = &Matrix::identity(n, p) - &(&by_age[0] * &model.c);
     let mut all = Vec::new();
@@ -177,30 +206,53 @@ fn accumulate(model: &Model, by_age: &[Matrix], powers: &[Matrix], p: Precision)
 }
 
 /// M of one signal, per state, by call age.
-fn known_weights(model: &Model, signal: usize, accumulated: &[Matrix], part: Part) -> Vec<Vec<Real>> {
-    let effect = &model.effects[signal];
+pub fn known_weights(effect: &Effect, accumulated: &[Matrix], part: Part) -> Vec<Vec<Real>> {
+    let columns: Vec<Matrix> = match &effect.curve {
+        Some(curve) => curve_weights(curve, accumulated),
+        None => line_weights(effect, accumulated, part),
+    };
+    let n = accumulated.first().map_or(0, Matrix::rows);
+    (0..n).map(|i| columns.iter().map(|column| column.get(i, 0).clone()).collect()).collect()
+}
+
+/// An interval's effect belongs to the values at its begin and its end.
+fn line_weights(effect: &Effect, accumulated: &[Matrix], part: Part) -> Vec<Matrix> {
     let steps = accumulated.len();
     let ages = match (part, &effect.at_begin, &effect.at_end) {
-        (Part::Runs, Some(_), Some(_)) => 0..=steps,
-        (Part::Runs, _, None) => 1..=steps,
+        (Part::Runs | Part::Curves, Some(_), Some(_)) => 0..=steps,
+        (Part::Runs | Part::Curves, _, None) => 1..=steps,
         _ => 0..=steps - 1,
     };
-    let columns: Vec<Matrix> = ages
-        .map(|age| {
-            let end = effect.at_end.as_ref().filter(|_| age < steps).map(|gamma| &accumulated[age] * gamma);
-            let begin = effect.at_begin.as_ref().filter(|_| age > 0).map(|gamma| &accumulated[age - 1] * gamma);
-            match (begin, end) {
-                (Some(begin), Some(end)) => &begin + &end,
-                (Some(one), None) | (None, Some(one)) => one,
-                (None, None) => unreachable!("every age in the range has an effect"),
-            }
-        })
-        .collect();
-    (0..model.phi.rows()).map(|i| columns.iter().map(|column| column.get(i, 0).clone()).collect()).collect()
+    ages.map(|age| {
+        let end = effect.at_end.as_ref().filter(|_| age < steps).map(|gamma| &accumulated[age] * gamma);
+        let begin = effect.at_begin.as_ref().filter(|_| age > 0).map(|gamma| &accumulated[age - 1] * gamma);
+        match (begin, end) {
+            (Some(begin), Some(end)) => &begin + &end,
+            (Some(one), None) | (None, Some(one)) => one,
+            (None, None) => unreachable!("every age in the range has an effect"),
+        }
+    })
+    .collect()
+}
+
+/// An interval's effect belongs to four samples, in the middle of which it lies where the window allows.
+fn curve_weights(curve: &[[Matrix; 4]; 3], accumulated: &[Matrix]) -> Vec<Matrix> {
+    let steps = accumulated.len();
+    let n = accumulated[0].rows();
+    let mut columns = vec![Matrix::zeros(n, 1, accumulated[0].precision()); steps + 1];
+    for (newer, acc) in accumulated.iter().enumerate() {
+        // The interval from age `newer + 1` to age `newer`.
+        let start = if newer == 0 { 2 } else { usize::from(newer + 1 < steps) };
+        for (node, factor) in curve[start].iter().enumerate() {
+            let age = newer + 1 + start - node;
+            columns[age] = &columns[age] + &(acc * factor);
+        }
+    }
+    columns
 }
 
 /// How an output's next sample is predicted from the estimate.
-fn predict(model: &Model, signals: &[Signal], output: usize, delay: usize) -> ExactPrediction {
+pub fn predict(model: &Model, signals: &[Signal], output: usize, delay: usize) -> ExactPrediction {
     let n = model.phi.rows();
     let c = model.c.block(output..output + 1, 0..n);
     let row = if delay == 0 { &c * &model.phi } else { c.clone() };

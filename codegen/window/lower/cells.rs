@@ -22,6 +22,8 @@ pub(super) struct Cells {
     pub(super) count: CellId,
     /// Per output, where there are several: samples missing in a row.
     pub(super) missed: Vec<CellId>,
+    /// Per output, where measurements come at irregular times: calls since the newest.
+    pub(super) gaps: Vec<CellId>,
     /// Calls until no replaced sample is in the window.
     pub(super) coasting: CellId,
     /// Per output: the next measurement, as far as it is known; by slot for a late one.
@@ -65,6 +67,12 @@ pub(super) fn declare(builder: &mut Builder, plant: &Plant, functional: &Functio
         )
     });
     let missed = missed.collect();
+    let irregular = if functional.gaps.is_some() { plant.outputs.as_slice() } else { &[] };
+    let gaps = irregular.iter().map(|output| {
+        let name = &output.label.name;
+        builder.index_cell(&format!("since_{name}"), &format!("calls since the newest sample of {name}"), 0)
+    });
+    let gaps = gaps.collect();
     let coasting = builder.index_cell("coasting", "calls until no replaced sample is in the window", 0);
     let mut ahead = Vec::new();
     let mut late = Vec::new();
@@ -84,7 +92,7 @@ pub(super) fn declare(builder: &mut Builder, plant: &Plant, functional: &Functio
         }
     }
     let calls = builder.index_cell("calls", "calls since init", 0);
-    Cells { outputs, signals, inputs, newest, count, missed, coasting, ahead, late, calls }
+    Cells { outputs, signals, inputs, newest, count, missed, gaps, coasting, ahead, late, calls }
 }
 
 fn bracketed(unit: &str) -> String {

@@ -53,5 +53,11 @@ impl Lowering<'_> {
 /// Where the count ends: at a full window, or where every late output has a prediction.
 pub(super) fn longest_count(functional: &Functional) -> u32 {
     let latest = (0..functional.delays.len()).map(|o| late_len(functional, o)).max().unwrap_or(0);
-    window_len(functional) - 1 + latest.max(1)
+    let full = window_len(functional) - 1 + latest.max(1);
+    full.max(settled(functional))
+}
+
+/// Calls from which on the estimate is within its bound.
+pub(super) fn settled(functional: &Functional) -> u32 {
+    functional.gaps.map_or_else(|| window_len(functional), |gaps| super::bounded(gaps.settled))
 }

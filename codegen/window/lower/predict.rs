@@ -22,7 +22,7 @@ impl Lowering<'_> {
             let weight = match self.functional.signals[s].part {
                 // For a start also its end's share, as long as the end is not known.
                 Part::Held | Part::Start => prediction.held[s],
-                Part::Runs | Part::End => None,
+                Part::Runs | Part::Curves | Part::End => None,
             };
             if let (Some(value), Some(weight)) = (value, weight) {
                 sum = self.add_product(sum, weight, *value);
@@ -36,7 +36,7 @@ impl Lowering<'_> {
         let mut sum = predicted;
         for (s, signal) in self.functional.signals.iter().enumerate() {
             let begin = match signal.part {
-                Part::Runs => self.builder.read_ring(self.cells.signals[s], newest_before),
+                Part::Runs | Part::Curves => self.builder.read_ring(self.cells.signals[s], newest_before),
                 Part::End => signals[s - 1],
                 Part::Held | Part::Start => continue,
             };

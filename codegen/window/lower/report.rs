@@ -4,6 +4,7 @@ use crate::design::Settled;
 use crate::program::{Status, Value};
 
 use super::super::Part;
+use super::count::settled;
 use super::{Lowering, Sampled, field, injections, late_len};
 
 impl Lowering<'_> {
@@ -20,7 +21,7 @@ impl Lowering<'_> {
                 }
             }
             for (s, signal) in self.functional.signals.iter().enumerate() {
-                if let (Part::Runs, Some(weight)) = (signal.part, prediction.held[s]) {
+                if let (Part::Runs | Part::Curves, Some(weight)) = (signal.part, prediction.held[s]) {
                     let weight = self.constant(weight);
                     terms.push(self.builder.mul(weight, sampled.signals[s]));
                 }
@@ -45,10 +46,11 @@ impl Lowering<'_> {
     /// The estimate, or the start while the window is not full.
     pub(super) fn report(&mut self, estimate: &[Value], sampled: &Sampled, count: Value) {
         self.builder.section("the estimate; until the window is full, the start");
-        let converged = self.counted(count, self.window());
+        let full = self.counted(count, self.window());
+        let converged = self.counted(count, settled(self.functional));
         for (i, state) in self.plant.states.iter().enumerate() {
             let start = self.start(i, sampled);
-            let value = self.builder.select(converged, estimate[i], start);
+            let value = self.builder.select(full, estimate[i], start);
             self.builder.estimate(field(&state.label.name, &state.label.unit, &state.label.doc), value);
         }
         let coasting = self.builder.read(self.cells.coasting);

@@ -68,13 +68,33 @@ impl<'a> Lowering<'a> {
 
         lost.extend(self.abandoned(&good));
         let (late, on_time): (Vec<_>, Vec<_>) =
-            good.into_iter().enumerate().partition(|(o, _)| self.functional.delays[*o] > 0);
+            self.expected(good, count).into_iter().enumerate().partition(|(o, _)| self.functional.delays[*o] > 0);
         let on_time: Vec<Value> = on_time.into_iter().map(|(_, good)| good).chain(signals.now).collect();
         let newest_good = self.all(&on_time);
         let samples_good = late.iter().fold(newest_good, |all, (_, good)| self.builder.and(all, *good));
         let interval_good = self.all(&signals.since);
         let lost = self.any(&lost);
         Sampled { newest, samples_good, interval_good, newest_good, late, lost, outputs: stored, signals: values }
+    }
+
+    /// Whether each sample is good, or missing as measurements at irregular times are.
+    fn expected(&mut self, good: Vec<Value>, count: Value) -> Vec<Value> {
+        let Some(gaps) = self.functional.gaps else { return good };
+        let started = self.counted(count, 1);
+        let most = super::bounded(gaps.most);
+        let mut expected = Vec::new();
+        for (good, cell) in good.into_iter().zip(self.cells.gaps.clone()) {
+            let before = self.builder.read(cell);
+            let more = self.builder.count_up(before, most);
+            let none = self.builder.index(0);
+            let missing = self.builder.select(good, none, more);
+            self.builder.set(cell, missing);
+            let longest = self.builder.index(most);
+            let within = self.builder.index_less(missing, longest);
+            let foreseen = self.builder.and(started, within);
+            expected.push(self.builder.or(good, foreseen));
+        }
+        expected
     }
 
     /// Whether an output has been missing for a whole window while another has not.
@@ -169,7 +189,7 @@ impl<'a> Lowering<'a> {
                 continue;
             }
             let (value, good) = self.signal(s, signals, &Moment::Now, before, samples);
-            if signal.part == Part::Runs {
+            if matches!(signal.part, Part::Runs | Part::Curves) {
                 signals.now.extend(good);
             } else {
                 signals.since.extend(good);

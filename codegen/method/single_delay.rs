@@ -1,0 +1,462 @@
+//! `[observer.single-delay]`: the reduced-order Gramian observer with one delay.
+//!
+//! **Idea.** Only what is not measured is estimated. In coordinates `(y, x_r)` a copy of the plant is driven by the
+//! measurement; its innovation over the last `window` seconds, weighted by an observability Gramian, corrects it. One
+//! delay, the window, whatever the number of states. A real number k shapes the weights: it trades the newest sample
+//! against the older ones and never decides about convergence.
+//!
+//! **Source.** 000 (mazenc-malisoff-2022-single-delay), Theorem 1: (4)-(7), (13); Theorem 2: (36)-(43) for
+//! measurements at irregular times. By default the discrete-exact twin (window-observers, section 2): integrals
+//! become sums over the samples, `e^{A1 r}` powers of Phi, so that the estimate is exact to rounding at any sample
+//! time; `form = "continuous"` samples the paper's integrals instead.
+//!
+//! **Conditions.** (A, C) observable, C of full rank, outputs without delay; nonlinear terms in measured states,
+//! inputs and time only.
+//!
+//! **Corrected.** (7)'s psi_2 is stable only if 2k > -min Re eig(A1), which the paper does not say: k = 75 on its
+//! motor has the eigenvalue +47.2 1/s; the recursive realisation refuses it, the sum over the window needs no such
+//! condition, nor any inverse of `A1 + kI`. (13) uses `xi_2(t)` where only Y is known: `R (Y - xihat_2)`, so that
+//! (15) misses `|R| |delta_2|`, and (41) needs `q1 + |R|`. (39)'s second line has `A_2 xihat_1`. (38)'s varsigma_3 has
+//! `e^{ks}`. The paper's bounds are 1e9 times too large to be of use; the certificate sums the weights themselves.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use super::window::{check_cubics, fir, refuse_unknowns, resolution_warnings, time_warning, verdict, window_steps};
+use super::{Keyed, Method};
+use crate::decimal::show;
+use crate::describe::short;
+use crate::design::{Convergence, Design, NamedMatrix, Shape};
+use crate::diagnostic::{Diagnostic, codes};
+use crate::expr::{Constant, Symbol};
+use crate::plant::Plant;
+use crate::real::{Matrix, Precision, Real};
+use crate::spec::Quantity;
+use crate::spec::reader::Table;
+use crate::window::certificate::{certify, slope};
+use crate::window::continuous::Form;
+use crate::window::coordinates::Coordinates;
+use crate::window::innovation::Innovation;
+use crate::window::intermittent::{Condition, Lifted};
+use crate::window::model::{Between, Model, signals_between};
+use crate::window::settle::{Bias, settle_runs};
+use crate::window::solve::Exact;
+use crate::window::tune::{self, best_k};
+use crate::window::{Functional, Gaps, Signal, count, refuse_much_work, seconds, trimmed, whole_samples};
+
+/// The registry's entry.
+pub const METHOD: Method = Method {
+    name: "single-delay",
+    summary: "reduced-order Gramian observer over a window, one delay; also for measurements at irregular times",
+    source: "Mazenc and Malisoff 2022 (single delay), Theorems 1 and 2, corrected and made exact for samples",
+    keys: &[
+        ("window", "s", "tau, a whole number of samples; the estimate has converged after it"),
+        ("k", "1/s or \"auto\"", "shapes the weights; any real number; \"auto\" (default): the smallest noise gain"),
+        ("form", "\"exact\" | \"continuous\"", "the sampled twin (default), or the paper's integrals from samples"),
+        ("hold", "\"first\" | \"third\"", "how nonlinear terms run between samples: order 2 (default) or 4"),
+        ("intermittent", "{ min = s, max = s }", "measurements come at irregular times, so far apart"),
+        ("unproved", "\"refuse\" | \"accept\"", "what to do when the paper's condition for that does not hold"),
+        ("realization", "\"auto\" | \"fir\"", "how the step computes it"),
+    ],
+    realizations: &[("fir", "one weighted sum over the stored samples; no state that can drift")],
+    page: include_str!("single-delay.md"),
+    read,
+};
+
+/// The method's keys.
+#[derive(Clone, Debug)]
+struct Keys {
+    window: Quantity,
+    /// `None` for "auto".
+    k: Option<Quantity>,
+    continuous: bool,
+    between: Between,
+    intermittent: Option<Intermittent>,
+    accept: bool,
+    place: Range<usize>,
+}
+
+/// The shortest and the longest time between two measurements.
+#[derive(Clone, Debug)]
+struct Intermittent {
+    min: Quantity,
+    max: Quantity,
+    place: Range<usize>,
+}
+
+fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
+    let window = table.quantity("window");
+    if window.is_none() && !table.has("window") {
+        table.missing("window", "write `window = …`, the delay tau in seconds, by which the estimate is exact");
+    }
+    let place = table.key_span("hold");
+    let k = table.quantity("k").filter(|k| !matches!(k, Quantity::Expression(text) if text.value == "auto"));
+    let continuous = table.choice("form", &[("exact", false), ("continuous", true)], false);
+    let between = table.choice("hold", &[("first", Between::Lines), ("third", Between::Cubics)], Between::Lines);
+    let intermittent = read_intermittent(table);
+    let accept = table.choice("unproved", &[("refuse", false), ("accept", true)], false);
+    table.choice("realization", &[("auto", ()), ("fir", ())], ());
+    Some(Arc::new(Keys { window: window?, k, continuous, between, intermittent, accept, place }))
+}
+
+fn read_intermittent(table: &mut Table) -> Option<Intermittent> {
+    let mut gaps = table.table("intermittent", "`intermittent`")?;
+    let mut time = |key: &str| {
+        let time = gaps.quantity(key);
+        if time.is_none() && !gaps.has(key) {
+            gaps.missing(key, "write `intermittent = { min = …, max = … }`, the times between measurements in seconds");
+        }
+        time
+    };
+    let (min, max, place) = (time("min"), time("max"), gaps.span());
+    gaps.finish();
+    Some(Intermittent { min: min?, max: max?, place })
+}
+
+/// What a design has decided before its numbers are exact.
+struct Plan {
+    steps: usize,
+    /// k, 1/s.
+    k: Constant,
+    rest: Vec<usize>,
+    signals: Vec<Signal>,
+}
+
+impl Keyed for Keys {
+    fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {
+        let mut found = refuse_unknowns(plant, METHOD.name);
+        found.extend(refuse_delays(plant));
+        found.extend(self.refuse_discrete(plant));
+        let steps = window_steps(plant, &self.window, &mut found);
+        let Some(steps) = steps else { return Err(found) };
+        refuse_much_work(plant, steps, &self.window.span(), &mut found);
+        let signals = signals_between(plant, self.between);
+        check_cubics(plant, &signals, self.between, steps, &self.place, &mut found);
+        if !found.is_empty() {
+            return Err(found);
+        }
+        let condition = verdict(plant, &vec![0; plant.outputs.len()], steps, &self.window.span())?;
+        let rest = rest(plant)?;
+        let k = self.k(plant, &rest, steps)?;
+        let plan = Plan { steps, k, rest, signals };
+        let bias = if self.continuous { Bias::OfSampling } else { Bias::None };
+        let run = |p: Precision| if self.continuous { plan.continuous(self, plant, p) } else { plan.exact(plant, p) };
+        let (mut functional, exact, mut numerics) =
+            settle_runs(plant, &plan.signals, &vec![0; plant.outputs.len()], steps, bias, &run)?;
+        numerics.condition = condition;
+        let mut warnings: Vec<Diagnostic> = time_warning(plant).into_iter().chain(resolution_warnings(plant)).collect();
+        let mut notes = plan.notes(self, numerics.unbiasedness);
+        let convergence = self.irregular(plant, &plan, &mut functional, &exact, &mut notes, &mut warnings)?;
+        let certificate = certify(plant, &functional, &exact);
+        Ok(Design {
+            method: METHOD.name,
+            realization: "fir",
+            summary: self.summary(plant, &plan),
+            window_steps: steps,
+            valid_from_step: functional.gaps.map_or(steps, |gaps| gaps.settled - 1),
+            convergence,
+            realizations: Vec::new(),
+            notes,
+            constants: plan.constants(self, plant)?,
+            fir: Some(fir(plant, &functional)),
+            certificate,
+            numerics,
+            warnings,
+            shape: Shape::Window(functional),
+        })
+    }
+}
+
+fn refuse_delays(plant: &Plant) -> Vec<Diagnostic> {
+    let late = plant.outputs.iter().filter_map(|output| Some((output, output.delay.as_ref()?)));
+    let refuse = |(output, (delay, span)): (&crate::plant::Output, &(Constant, Range<usize>))| {
+        let message = format!("`single-delay` needs outputs without delay; `{}` has one", output.label.name);
+        let error = Diagnostic::error(codes::METHOD_CANNOT, span.clone(), message);
+        error.measured(delay.to_f64().unwrap_or(f64::NAN)).help("`[observer.window]` takes outputs that arrive late")
+    };
+    late.map(refuse).collect()
+}
+
+/// The states that are estimated: those that the outputs show least.
+fn rest(plant: &Plant) -> Result<Vec<usize>, Vec<Diagnostic>> {
+    let n = plant.states.len();
+    let c: Vec<Vec<f64>> =
+        plant.c.iter().map(|row| row.iter().map(|c| c.to_f64().unwrap_or(f64::NAN)).collect()).collect();
+    let refuse = |message: &str, help: &str| {
+        vec![Diagnostic::error(codes::METHOD_CANNOT, plant.span.clone(), message).help(help)]
+    };
+    let repeated = || refuse("the outputs repeat each other", "leave one of them out, or use `[observer.window]`");
+    let rest = if plant.outputs.len() > n { None } else { Coordinates::pick(&c, n) };
+    let rest = rest.ok_or_else(repeated)?;
+    if rest.is_empty() {
+        let help = "nothing is left to estimate; to average noise away use `[observer.window]`";
+        return Err(refuse("every state is measured", help));
+    }
+    Ok(rest)
+}
+
+impl Keys {
+    fn refuse_discrete(&self, plant: &Plant) -> Option<Diagnostic> {
+        let message = "`form = \"continuous\"` needs a plant in continuous time";
+        let error = Diagnostic::error(codes::METHOD_CANNOT, plant.span.clone(), message);
+        (self.continuous && plant.discrete).then(|| error.help("leave `form` out: the exact form is for samples"))
+    }
+
+    /// k as given, or the best.
+    fn k(&self, plant: &Plant, rest: &[usize], steps: usize) -> Result<Constant, Vec<Diagnostic>> {
+        let mut found = Vec::new();
+        if let Some(k) = &self.k {
+            let value = plant.constant(k, &mut found).ok_or(found)?;
+            let size = value.to_f64().unwrap_or(f64::NAN) * plant.sample_time_s();
+            // e^{-kh} beyond this is no factor to weigh samples with.
+            return if size.abs() < 50.0 {
+                Ok(value)
+            } else {
+                let error = Diagnostic::error(codes::OUT_OF_RANGE, k.span(), "`k` is too large for this sample time");
+                let error = error.label(format!("k times the sample time is {}", show(size))).measured(size);
+                Err(vec![error.help("at most 50; `k = \"auto\"` finds the one with the smallest noise gain")])
+            };
+        }
+        let model = Model::new(plant, &[], Precision::bits(tune::BITS))?;
+        let best = Coordinates::new(&model.c, rest.to_vec())
+            .ok()
+            .and_then(|coordinates| best_k(&model, &coordinates, steps, plant.sample_time_s()));
+        let decimal = best.and_then(|k| crate::decimal::parse(&format!("{k:e}")).ok());
+        decimal.map(Constant::from).ok_or_else(|| vec![refuse_gramian(plant, "no k gives weights for this window")])
+    }
+
+    fn summary(&self, plant: &Plant, plan: &Plan) -> String {
+        let h = plant.sample_time_s();
+        let form = if self.continuous { "the paper's integrals from samples" } else { "sampled twin" };
+        format!(
+            "{form} over the last {} samples ({} s at {h} s), k = {} 1/s",
+            plan.steps + 1,
+            trimmed(seconds(plan.steps, h)),
+            short(plan.k.to_f64().unwrap_or(f64::NAN))
+        )
+    }
+
+    /// Whether measurements at irregular times are enough, and what that makes of the functional.
+    fn irregular(
+        &self,
+        plant: &Plant,
+        plan: &Plan,
+        functional: &mut Functional,
+        exact: &Exact,
+        notes: &mut Vec<String>,
+        warnings: &mut Vec<Diagnostic>,
+    ) -> Result<Convergence, Vec<Diagnostic>> {
+        let Some(intermittent) = &self.intermittent else { return Ok(Convergence::Finite) };
+        let gap = intermittent.steps(plant)?;
+        let next = (&exact.model.c * &exact.model.phi).to_f64();
+        let lifted = Lifted::new(functional, &next, gap);
+        let radius = lifted.map_or(f64::NAN, |lifted| lifted.radius);
+        let periods = lifted.and_then(|lifted| lifted.periods);
+        let Some(periods) = periods.filter(|_| radius < 1.0) else {
+            return Err(vec![self.diverges(intermittent, plant, radius, gap)]);
+        };
+        notes.push(format!(
+            "linear part: with a measurement every {gap} samples the error's spectral radius is {} a period",
+            short(radius)
+        ));
+        let verdict = self.proof(plant, plan, intermittent, notes);
+        if let Err(unproved) = verdict {
+            if !self.accept {
+                return Err(vec![unproved]);
+            }
+            warnings.push(Diagnostic { level: crate::diagnostic::Level::Warning, ..unproved });
+        }
+        functional.gaps = Some(Gaps { most: gap, settled: plan.steps + 1 + periods * gap });
+        Ok(Convergence::Geometric { radius, period: gap })
+    }
+
+    fn diverges(&self, intermittent: &Intermittent, plant: &Plant, radius: f64, gap: usize) -> Diagnostic {
+        let message = "with measurements so far apart the error does not die out";
+        let label = format!("spectral radius {} over {gap} samples; it must be below 1", short(radius));
+        Diagnostic::error(codes::METHOD_CANNOT, intermittent.max.span(), message).label(label).measured(radius).help(
+            format!(
+                "measure more often than every {} s, a smaller `k`, or a longer window",
+                show(seconds(gap, plant.sample_time_s()))
+            ),
+        )
+    }
+
+    /// 000 Theorem 2's condition; an error that says by what factor it does not hold.
+    fn proof(
+        &self,
+        plant: &Plant,
+        plan: &Plan,
+        intermittent: &Intermittent,
+        notes: &mut Vec<String>,
+    ) -> Result<(), Diagnostic> {
+        let unproved = |message: String| {
+            Diagnostic::error(codes::METHOD_CANNOT, intermittent.place.clone(), message)
+                .help("`unproved = \"accept\"` relies on the linear part's spectral radius, which is computed")
+        };
+        let condition = self.condition(plant, plan, intermittent);
+        let Some(condition) = condition else {
+            let why = "000 Theorem 2 says nothing here: it needs k > 0, and bounded slopes over declared ranges";
+            notes.push(why.into());
+            return Err(unproved("convergence at irregular times is not proved for this plant".into()).label(why));
+        };
+        if let Some(rate) = condition.rate {
+            notes.push(format!("000 Theorem 2 holds: T mu = {}, rate {} 1/s", short(condition.product), short(rate)));
+            return Ok(());
+        }
+        let factor = short(condition.product);
+        notes.push(format!("000 Theorem 2 does not hold: T mu = {factor}, mu = {} 1/s", short(condition.mu)));
+        let message = "the condition of 000 Theorem 2 for irregular measurements does not hold";
+        Err(unproved(message.into())
+            .label(format!("T mu = {factor}, {factor} times too large"))
+            .measured(condition.product))
+    }
+
+    fn condition(&self, plant: &Plant, plan: &Plan, intermittent: &Intermittent) -> Option<Condition> {
+        let k = plan.k.to_f64().ok().filter(|k| *k > 0.0)?;
+        if plant.discrete {
+            return None;
+        }
+        let form = plan.form(self);
+        let (constants, matrices, coordinates) =
+            form.constants(plant, &plan.signals, Precision::bits(tune::BITS)).ok()?;
+        let lipschitz = lipschitz(plant, &coordinates, &coordinates.blocks(&matrices.a), k)?;
+        let tau = seconds(plan.steps, plant.sample_time_s());
+        let gap = plant.constant(&intermittent.max, &mut Vec::new())?.to_f64().ok()?;
+        Condition::new(&constants, k, tau, gap, lipschitz)
+    }
+}
+
+/// K1 and K2 of 000 (3): how steeply F1 and F2 change with Y, in the coordinates.
+fn lipschitz(
+    plant: &Plant,
+    coordinates: &Coordinates,
+    blocks: &crate::window::coordinates::Blocks,
+    k: f64,
+) -> Option<(f64, f64)> {
+    let p = plant.outputs.len();
+    let norm = |m: &Matrix| crate::real::singular_values(m).first().map_or(0.0, Real::to_f64);
+    let shift = Matrix::identity(p, blocks.yy.precision()).scale(&Real::from_f64(k, blocks.yy.precision())?);
+    let (mut k1, mut k2) = (norm(&blocks.ry), norm(&(&blocks.yy + &shift)));
+    for (i, injection) in plant.injections.iter().enumerate() {
+        if !injection.symbols().iter().any(|symbol| matches!(symbol, Symbol::State(_))) {
+            continue;
+        }
+        let squares = (0..p).map(|o| slope(plant, i, o)).try_fold(0.0, |sum, slope| Some(sum + slope? * slope?))?;
+        let steepest = deadbeat_math::sqrt_f64(squares);
+        let precision = blocks.yy.precision();
+        let column = |j: usize| injection.column[j].evaluate(precision).unwrap_or_else(|_| Real::zero(precision));
+        let column = Matrix::from_fn(plant.states.len(), 1, |j, _| column(j));
+        let (y, rest) = coordinates.cut(&column);
+        k1 += norm(&rest) * steepest;
+        k2 += norm(&y) * steepest;
+    }
+    Some((k1, k2))
+}
+
+impl Intermittent {
+    /// The longest gap in samples; both times must be whole samples, the first not the longer.
+    fn steps(&self, plant: &Plant) -> Result<usize, Vec<Diagnostic>> {
+        let mut found = Vec::new();
+        let mut steps = |time: &Quantity, what: &str| {
+            let value = plant.constant(time, &mut found)?;
+            whole_samples(&value, &time.span(), what, plant, &mut found)
+        };
+        let min = steps(&self.min, "the shortest time between measurements");
+        let max = steps(&self.max, "the longest time between measurements");
+        match (min, max) {
+            (Some(min), Some(max)) if (1..=max).contains(&min) => Ok(max),
+            (Some(min), Some(max)) => {
+                let message = "`intermittent` needs 0 < min <= max";
+                let error = Diagnostic::error(codes::BAD_NUMBER, self.place.clone(), message);
+                let error = error.label(format!("{min} and {max} samples")).measured(count(min));
+                Err(vec![error.help("min is the shortest, max the longest time from one measurement to the next")])
+            }
+            _ => Err(found),
+        }
+    }
+}
+
+fn refuse_gramian(plant: &Plant, why: &str) -> Diagnostic {
+    Diagnostic::error(codes::METHOD_CANNOT, plant.span.clone(), "the reduced observer's Gramian cannot be inverted")
+        .label(why)
+        .help("`[observer.window]` needs no invertible transition matrix")
+}
+
+impl Plan {
+    fn form(&self, keys: &Keys) -> Form {
+        Form { rest: self.rest.clone(), k: self.k.clone(), steps: self.steps, between: keys.between }
+    }
+
+    /// `e^{-kh}`.
+    fn factor(&self, plant: &Plant, p: Precision) -> Option<Real> {
+        let h = plant.sample_time.0.evaluate(p).ok()?;
+        (-(self.k.evaluate(p).ok()? * h)).checked_exp().ok()
+    }
+
+    fn innovation(
+        &self,
+        plant: &Plant,
+        model: &Model,
+        p: Precision,
+    ) -> Result<(Innovation, crate::window::innovation::SingleDelay, Coordinates), Vec<Diagnostic>> {
+        let refuse = || vec![refuse_gramian(plant, &format!("not at {} bits", p.as_bits()))];
+        let coordinates = Coordinates::new(&model.c, self.rest.clone()).map_err(|_| refuse())?;
+        let a = self.factor(plant, p).ok_or_else(refuse)?;
+        let (form, constants) = Innovation::single_delay(model, &coordinates, &a, self.steps).map_err(|_| refuse())?;
+        Ok((form, constants, coordinates))
+    }
+
+    /// The discrete-exact twin.
+    fn exact(&self, plant: &Plant, p: Precision) -> Result<Exact, Vec<Diagnostic>> {
+        let model = Model::new(plant, &self.signals, p)?;
+        let (form, _, _) = self.innovation(plant, &model, p)?;
+        let weights = form.weights(&model, self.steps);
+        Ok(Exact::from_weights(model, &self.signals, &weights))
+    }
+
+    /// The paper's integrals.
+    fn continuous(&self, keys: &Keys, plant: &Plant, p: Precision) -> Result<Exact, Vec<Diagnostic>> {
+        self.form(keys).exact(plant, &self.signals, p)
+    }
+
+    fn notes(&self, keys: &Keys, unbiasedness: f64) -> Vec<String> {
+        if keys.continuous {
+            let note = "integrals from samples leave this share of the state at the window's start";
+            return vec![format!("{note}: {}", short(unbiasedness))];
+        }
+        Vec::new()
+    }
+
+    /// S, N, R and what belongs to them.
+    fn constants(&self, keys: &Keys, plant: &Plant) -> Result<Vec<NamedMatrix>, Vec<Diagnostic>> {
+        let p = Precision::bits(4 * 256);
+        let named = |letter: &'static str, m: &Matrix| NamedMatrix { letter, rows: m.to_f64() };
+        let scalar = |letter: &'static str, x: &Real| NamedMatrix { letter, rows: vec![vec![x.to_f64()]] };
+        if keys.continuous {
+            let (c, _, _) = self.form(keys).constants(plant, &self.signals, p)?;
+            let mut all = vec![
+                named("A1", &c.a1),
+                named("A2", &c.a2),
+                named("S", &c.s),
+                named("N", &c.n),
+                named("R", &c.r),
+                named("Sinv", &c.s_inverse),
+                scalar("exp(-k tau)", &c.decay),
+                named("exp(-(A1' + 2kI) tau)", &c.psi2),
+            ];
+            all.extend(c.h.as_ref().map(|h| named("H", h)));
+            return Ok(all);
+        }
+        let model = Model::new(plant, &self.signals, p)?;
+        let (_, c, _) = self.innovation(plant, &model, p)?;
+        let a = self.factor(plant, p).unwrap_or_else(|| Real::zero(p));
+        Ok(vec![
+            named("Phi", &model.phi),
+            named("C", &model.c),
+            scalar("a", &a),
+            named("S", &c.s),
+            named("N", &c.n),
+            named("R", &c.r),
+        ])
+    }
+}

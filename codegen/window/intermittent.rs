@@ -1,0 +1,206 @@
+//! Measurements at irregular times (000 Theorem 2): what its condition says, and what the linear part does.
+//!
+//! Between measurements omega, the model's prediction, stands in for the output. Two questions decide whether the
+//! error dies out. The paper's condition `T mu < 1` (000 (40)-(41)) is sufficient; its `q1` lacks the term of the
+//! newest innovation, so that `q1 + |R|` stands here, and in varsigma_3 `e^{ks}` where (38) prints `e^{-ks}`. It is
+//! very conservative. The linear part's error is itself a linear recursion: with a measurement every g samples
+//! its map over g samples is a matrix, and its spectral radius predicts what happens.
+
+use nalgebra::{DMatrix, Schur};
+
+use crate::real::{Matrix, Real, exponential, singular_values};
+
+use super::Functional;
+use super::continuous::Constants;
+
+/// Intervals of the quadrature over the window.
+const PANELS: usize = 400;
+/// The largest error map whose eigenvalues are computed.
+const LARGEST: usize = 600;
+/// Sweeps of the QR algorithm before it is given up.
+const SWEEPS: usize = 100_000;
+
+/// What 000 Theorem 2 says, corrected.
+#[derive(Clone, Copy, Debug)]
+pub struct Condition {
+    /// mu, 1/s.
+    pub mu: f64,
+    /// `T mu`, which must be below 1.
+    pub product: f64,
+    /// The guaranteed rate, 1/s, where it is.
+    pub rate: Option<f64>,
+}
+
+/// The largest singular value.
+fn norm(m: &Matrix) -> f64 {
+    singular_values(m).first().map_or(0.0, Real::to_f64)
+}
+
+impl Condition {
+    /// For Lipschitz constants K1, K2 (000 (3)), a window of `tau` and gaps up to `gap` seconds; k must be positive.
+    pub fn new(constants: &Constants, k: f64, tau: f64, gap: f64, (k1, k2): (f64, f64)) -> Option<Self> {
+        let exp = deadbeat_math::exp_f64;
+        let (a1, a2) = (norm(&constants.a1), norm(&constants.a2));
+        let s_inverse = norm(&constants.s_inverse);
+        let h = norm(constants.h.as_ref()?);
+        let lambda = lambda_norms(constants, k, tau)?;
+        let d = tau / super::count(PANELS);
+        // Simpson over s = -j d.
+        let integral = |weight: &dyn Fn(f64) -> f64| -> f64 {
+            let term = |(j, lambda): (usize, &f64)| {
+                let simpson = if j == 0 || j == PANELS {
+                    1.0
+                } else if j % 2 == 1 {
+                    4.0
+                } else {
+                    2.0
+                };
+                simpson * lambda * weight(-d * super::count(j))
+            };
+            lambda.iter().enumerate().map(term).sum::<f64>() * d / 3.0
+        };
+        let growth = exp(a1 * tau);
+        let s1 = s_inverse * a2 * growth / (k * k) * integral(&|s| exp(k * s) - s * k - 1.0);
+        let s2 = s_inverse / k * integral(&|s| 1.0 - exp(k * s));
+        let s3 = s_inverse * tau * growth * h * integral(&|s| growth + exp(k * s));
+        let rest = constants.a1.rows();
+        let twice =
+            Matrix::identity(rest, constants.a1.precision()).scale(&Real::from_f64(k, constants.a1.precision())?);
+        let psi2 = norm(&(&constants.a1.transpose() + &twice.shifted(1)));
+        let s4 = s_inverse * h * ((1.0 - exp(-k * tau)) / k + tau * exp(psi2 * tau));
+        let q1 = (s1 + s3) * k1 + s2 * k2 + s4;
+        let mu = a2 * (q1 + norm(&constants.r)) + k + k2;
+        let product = gap * mu;
+        let rate = (product < 1.0).then(|| -deadbeat_math::log_f64(product) / (tau + gap));
+        mu.is_finite().then_some(Self { mu, product, rate })
+    }
+}
+
+/// `|lambda(-j d)|` for j = 0 … [`PANELS`].
+fn lambda_norms(constants: &Constants, k: f64, tau: f64) -> Option<Vec<f64>> {
+    let (a1, a2) = (&constants.a1, &constants.a2);
+    let (rest, p, precision) = (a1.rows(), a2.rows(), a1.precision());
+    let k = Real::from_f64(k, precision)?;
+    let d = Real::from_f64(tau, precision)? / Real::from_i64(i64::try_from(PANELS).ok()?, precision);
+    let mut block = Matrix::zeros(rest + p, rest + p, precision);
+    block.set_block(0, 0, &(a1 + &Matrix::identity(rest, precision).scale(&k)));
+    block.set_block(rest, 0, a2);
+    let back = exponential(&-&block.scale(&d)).ok()?;
+    let mut power = Matrix::identity(rest + p, precision);
+    let mut norms = Vec::new();
+    for _ in 0..=PANELS {
+        norms.push(norm(&power.block(rest..rest + p, 0..rest)));
+        power = &power * &back;
+    }
+    Some(norms)
+}
+
+/// How the linear part's error goes on when only every g-th sample is measured.
+#[derive(Clone, Copy, Debug)]
+pub struct Lifted {
+    /// Spectral radius of the error's map over g samples.
+    pub radius: f64,
+    /// Periods of g samples until [`crate::design::CONTRACTED`] of an error is left; `None` when it never is.
+    pub periods: Option<usize>,
+}
+
+impl Lifted {
+    /// From the functional's weights and `C Phi`, with a measurement every `gap` samples.
+    ///
+    /// Exact where the map has at most 600 rows; above, the mean contraction over 64 periods of an arbitrary error.
+    pub fn new(functional: &Functional, output_next: &[Vec<f64>], gap: usize) -> Option<Self> {
+        let (p, len) = (functional.outputs.len(), functional.steps + 1);
+        // What the prediction makes of the error of age j: C Phi K_j.
+        let row = |age: usize| -> Vec<f64> {
+            let entry = |o: usize, from: usize| -> f64 {
+                output_next[o].iter().enumerate().map(|(i, c)| c * functional.outputs[from].at(i, age).double).sum()
+            };
+            (0..p).flat_map(|o| (0..p).map(move |from| (o, from))).map(|(o, from)| entry(o, from)).collect()
+        };
+        let rows: Vec<Vec<f64>> = (0..len).map(row).collect();
+        let period = |errors: &mut Vec<f64>| {
+            for step in 0..gap {
+                let mut next = vec![0.0; p];
+                if step > 0 {
+                    for (age, row) in rows.iter().enumerate() {
+                        for (o, next) in next.iter_mut().enumerate() {
+                            for from in 0..p {
+                                *next += row[o * p + from] * errors[age * p + from];
+                            }
+                        }
+                    }
+                }
+                errors.truncate((len - 1) * p);
+                errors.splice(0..0, next);
+            }
+        };
+        let size = len * p;
+        if size > LARGEST {
+            return Some(Self::by_iteration(&period, size));
+        }
+        let mut map = DMatrix::zeros(size, size);
+        for j in 0..size {
+            let mut errors = vec![0.0; size];
+            errors[j] = 1.0;
+            period(&mut errors);
+            map.set_column(j, &nalgebra::DVector::from_vec(errors));
+        }
+        let schur = Schur::try_new(map.clone(), f64::EPSILON, SWEEPS)?;
+        let eigenvalues = schur.complex_eigenvalues();
+        let radius = eigenvalues.iter().map(|z| deadbeat_math::sqrt_f64(z.re * z.re + z.im * z.im)).fold(0.0, f64::max);
+        Some(Self { radius, periods: contraction(&map, radius) })
+    }
+
+    fn by_iteration(period: &dyn Fn(&mut Vec<f64>), size: usize) -> Self {
+        const WARM: i32 = 64;
+        let mut errors: Vec<f64> = (0..size).map(|j| if j % 3 == 0 { 1.0 } else { -0.5 }).collect();
+        let mut logarithm = 0.0;
+        let mut periods = None;
+        for step in 1..=2 * WARM {
+            period(&mut errors);
+            let size = errors.iter().fold(0.0_f64, |largest, e| largest.max(e.abs()));
+            if size == 0.0 {
+                return Self { radius: 0.0, periods: usize::try_from(step).ok() };
+            }
+            errors.iter_mut().for_each(|e| *e /= size);
+            if step > WARM {
+                logarithm += deadbeat_math::log_f64(size);
+            }
+        }
+        let radius = deadbeat_math::exp_f64(logarithm / f64::from(WARM));
+        if radius < 1.0 {
+            let needed = deadbeat_math::log_f64(crate::design::CONTRACTED) / deadbeat_math::log_f64(radius);
+            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "positive and clamped")]
+            let needed = needed.ceil().clamp(1.0, 1e9) as usize;
+            periods = Some(needed);
+        }
+        Self { radius, periods }
+    }
+}
+
+/// The first power of a map whose norm is small enough, by doubling and then bisection.
+fn contraction(map: &DMatrix<f64>, radius: f64) -> Option<usize> {
+    let small = |m: &DMatrix<f64>| m.norm() < crate::design::CONTRACTED;
+    if radius >= 1.0 {
+        return None;
+    }
+    let mut powers = vec![map.clone()];
+    while !small(&powers[powers.len() - 1]) {
+        let last = &powers[powers.len() - 1];
+        if powers.len() > 24 || last.iter().any(|x| !x.is_finite()) {
+            return None;
+        }
+        powers.push(last * last);
+    }
+    // The largest power that is not small, one bit after the other.
+    let mut done: Option<DMatrix<f64>> = None;
+    let mut count = 0;
+    for (bit, power) in powers.iter().enumerate().rev() {
+        let next = done.as_ref().map_or_else(|| power.clone(), |done| done * power);
+        if !small(&next) {
+            done = Some(next);
+            count += 1_usize << bit;
+        }
+    }
+    Some(count + 1)
+}
