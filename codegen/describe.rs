@@ -217,6 +217,9 @@ fn certificate(generated: &Generated) -> Vec<String> {
 
 /// Four significant digits.
 pub fn short(value: f64) -> String {
+    if !value.is_finite() {
+        return "-".into();
+    }
     if value == 0.0 || (1e-3..1e6).contains(&value.abs()) {
         let digits = format!("{value:.3e}").parse::<f64>().unwrap_or(value);
         format!("{digits}")

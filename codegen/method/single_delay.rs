@@ -26,7 +26,7 @@ use super::window::{check_cubics, fir, refuse_unknowns, resolution_warnings, tim
 use super::{Keyed, Method};
 use crate::decimal::show;
 use crate::describe::short;
-use crate::design::{Convergence, Design, NamedMatrix, Shape};
+use crate::design::{Certificate, Convergence, Design, NamedMatrix, Shape};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::expr::{Constant, Symbol};
 use crate::plant::Plant;
@@ -37,7 +37,7 @@ use crate::window::certificate::{certify, slope};
 use crate::window::continuous::Form;
 use crate::window::coordinates::Coordinates;
 use crate::window::innovation::Innovation;
-use crate::window::intermittent::{Condition, Lifted};
+use crate::window::intermittent::{Condition, Lifted, noise_gains};
 use crate::window::model::{Between, Model, signals_between};
 use crate::window::settle::{Bias, settle_runs};
 use crate::window::solve::Exact;
@@ -147,7 +147,10 @@ impl Keyed for Keys {
         let mut warnings: Vec<Diagnostic> = time_warning(plant).into_iter().chain(resolution_warnings(plant)).collect();
         let mut notes = plan.notes(self, numerics.unbiasedness);
         let convergence = self.irregular(plant, &plan, &mut functional, &exact, &mut notes, &mut warnings)?;
-        let certificate = certify(plant, &functional, &exact);
+        let mut certificate = certify(plant, &functional, &exact);
+        if let Some(gaps) = functional.gaps {
+            certificate = with_gaps(plant, certificate, &functional, &exact, gaps);
+        }
         Ok(Design {
             method: METHOD.name,
             realization: "fir",
@@ -165,6 +168,32 @@ impl Keyed for Keys {
             shape: Shape::Window(functional),
         })
     }
+}
+
+/// With predictions in place of samples: what their noise does, which they carry on.
+///
+/// What disturbances do between measurements, and noise inside nonlinear terms, is not bounded here.
+fn with_gaps(
+    plant: &Plant,
+    mut certificate: Certificate,
+    functional: &Functional,
+    exact: &Exact,
+    gaps: Gaps,
+) -> Certificate {
+    let next = (&exact.model.c * &exact.model.phi).to_f64();
+    let periods = (gaps.settled - functional.steps).div_ceil(gaps.most);
+    (certificate.noise_gain_l1, certificate.noise_gain_l2) = noise_gains(functional, &next, gaps.most, periods);
+    certificate.disturbance_gain_l1.iter_mut().flatten().for_each(|gain| *gain = f64::INFINITY);
+    let states = |injection: &crate::plant::Injection| {
+        injection.symbols().iter().any(|symbol| matches!(symbol, Symbol::State(_)))
+    };
+    let bounded = plant.disturbances.is_empty() && !plant.injections.iter().any(states);
+    let bound = |gains: &Vec<f64>| -> Option<f64> {
+        let levels = plant.outputs.iter().map(|output| output.noise.as_ref()?.to_f64().ok());
+        gains.iter().zip(levels).try_fold(0.0, |sum, (gain, level)| Some(sum + gain * level?)).filter(|_| bounded)
+    };
+    certificate.error_bound = certificate.noise_gain_l1.iter().map(bound).collect();
+    certificate
 }
 
 fn refuse_delays(plant: &Plant) -> Vec<Diagnostic> {

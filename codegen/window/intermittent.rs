@@ -109,32 +109,9 @@ impl Lifted {
     ///
     /// Exact where the map has at most 600 rows; above, the mean contraction over 64 periods of an arbitrary error.
     pub fn new(functional: &Functional, output_next: &[Vec<f64>], gap: usize) -> Option<Self> {
-        let (p, len) = (functional.outputs.len(), functional.steps + 1);
-        // What the prediction makes of the error of age j: C Phi K_j.
-        let row = |age: usize| -> Vec<f64> {
-            let entry = |o: usize, from: usize| -> f64 {
-                output_next[o].iter().enumerate().map(|(i, c)| c * functional.outputs[from].at(i, age).double).sum()
-            };
-            (0..p).flat_map(|o| (0..p).map(move |from| (o, from))).map(|(o, from)| entry(o, from)).collect()
-        };
-        let rows: Vec<Vec<f64>> = (0..len).map(row).collect();
-        let period = |errors: &mut Vec<f64>| {
-            for step in 0..gap {
-                let mut next = vec![0.0; p];
-                if step > 0 {
-                    for (age, row) in rows.iter().enumerate() {
-                        for (o, next) in next.iter_mut().enumerate() {
-                            for from in 0..p {
-                                *next += row[o * p + from] * errors[age * p + from];
-                            }
-                        }
-                    }
-                }
-                errors.truncate((len - 1) * p);
-                errors.splice(0..0, next);
-            }
-        };
-        let size = len * p;
+        let errors = Errors::new(functional, output_next);
+        let period = |window: &mut Vec<f64>| errors.period(window, gap);
+        let size = errors.rows.len() * errors.outputs;
         if size > LARGEST {
             return Some(Self::by_iteration(&period, size));
         }
@@ -176,6 +153,93 @@ impl Lifted {
         }
         Self { radius, periods }
     }
+}
+
+/// How the window's errors, newest first and output by output, give the next.
+struct Errors {
+    outputs: usize,
+    /// By age: `C Phi K_j`, row by row.
+    rows: Vec<Vec<f64>>,
+}
+
+impl Errors {
+    fn new(functional: &Functional, output_next: &[Vec<f64>]) -> Self {
+        let outputs = functional.outputs.len();
+        let entry = |age: usize, o: usize, from: usize| -> f64 {
+            output_next[o].iter().enumerate().map(|(i, c)| c * functional.outputs[from].at(i, age).double).sum()
+        };
+        let row = |age: usize| (0..outputs * outputs).map(|at| entry(age, at / outputs, at % outputs)).collect();
+        Self { outputs, rows: (0..=functional.steps).map(row).collect() }
+    }
+
+    /// The error of the prediction that takes a sample's place.
+    fn predicted(&self, window: &[f64]) -> Vec<f64> {
+        let of = |o: usize| -> f64 {
+            let at = o * self.outputs..(o + 1) * self.outputs;
+            let age = |(row, errors): (&Vec<f64>, &[f64])| -> f64 {
+                row[at.clone()].iter().zip(errors).map(|(weight, error)| weight * error).sum()
+            };
+            self.rows.iter().zip(window.chunks(self.outputs)).map(age).sum()
+        };
+        (0..self.outputs).map(of).collect()
+    }
+
+    fn push(&self, window: &mut Vec<f64>, newest: Vec<f64>) {
+        window.truncate((self.rows.len() - 1) * self.outputs);
+        window.splice(0..0, newest);
+    }
+
+    /// From one measurement to the call before the next.
+    fn period(&self, window: &mut Vec<f64>, gap: usize) {
+        self.push(window, vec![0.0; self.outputs]);
+        for _ in 1..gap {
+            let newest = self.predicted(window);
+            self.push(window, newest);
+        }
+    }
+}
+
+/// Gains from the noise of the measurements, each per state and output: worst case, and root sum of squares.
+///
+/// With a measurement every `gap` samples and predictions in between, which carry its noise on; at the worst call.
+pub fn noise_gains(
+    functional: &Functional,
+    output_next: &[Vec<f64>],
+    gap: usize,
+    periods: usize,
+) -> (Vec<Vec<f64>>, Vec<Vec<f64>>) {
+    let errors = Errors::new(functional, output_next);
+    let n = functional.constant.len();
+    let mut gains = (vec![vec![0.0; errors.outputs]; n], vec![vec![0.0; errors.outputs]; n]);
+    for o in 0..errors.outputs {
+        // Per call since the newest measurement: sums over the measurements before.
+        let mut sums = vec![vec![(0.0, 0.0); n]; gap];
+        let mut window = vec![0.0; errors.rows.len() * errors.outputs];
+        for call in 0..(periods * gap).max(errors.rows.len()) {
+            let mut newest = vec![0.0; errors.outputs];
+            if call == 0 {
+                newest[o] = 1.0;
+            } else if call % gap > 0 {
+                newest = errors.predicted(&window);
+            }
+            errors.push(&mut window, newest);
+            for (i, sum) in sums[call % gap].iter_mut().enumerate() {
+                let weight = |(age, errors): (usize, &[f64])| -> f64 {
+                    errors.iter().enumerate().map(|(from, e)| e * functional.outputs[from].at(i, age).double).sum()
+                };
+                let response: f64 = window.chunks(errors.outputs).enumerate().map(weight).sum();
+                sum.0 += response.abs();
+                sum.1 += response * response;
+            }
+        }
+        for sums in sums {
+            for (i, (magnitudes, squares)) in sums.into_iter().enumerate() {
+                gains.0[i][o] = f64::max(gains.0[i][o], magnitudes);
+                gains.1[i][o] = f64::max(gains.1[i][o], deadbeat_math::sqrt_f64(squares));
+            }
+        }
+    }
+    gains
 }
 
 /// The first power of a map whose norm is small enough, by doubling and then bisection.
