@@ -10,6 +10,7 @@ pub mod continuous;
 pub mod coordinates;
 pub mod innovation;
 pub mod intermittent;
+pub mod irregular;
 pub mod lower;
 pub mod minimax;
 pub mod model;
@@ -42,6 +43,8 @@ pub struct Functional {
     pub prediction: Vec<Prediction>,
     /// Where measurements may come at irregular times.
     pub gaps: Option<Gaps>,
+    /// Where the estimate is of the samples that are there, and not of all.
+    pub irregular: Option<irregular::Irregular>,
 }
 
 /// Measurements at irregular times: a prediction stands in between them.

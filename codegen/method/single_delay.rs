@@ -30,6 +30,7 @@ use crate::design::{Certificate, Convergence, Design, NamedMatrix, Shape};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::expr::{Constant, Symbol};
 use crate::plant::Plant;
+use crate::program::Scalar;
 use crate::real::{Matrix, Precision, Real};
 use crate::spec::Quantity;
 use crate::spec::reader::Table;
@@ -38,9 +39,10 @@ use crate::window::continuous::Form;
 use crate::window::coordinates::Coordinates;
 use crate::window::innovation::Innovation;
 use crate::window::intermittent::{Condition, Lifted, noise_gains};
+use crate::window::irregular;
 use crate::window::model::{Between, Model, signals_between};
-use crate::window::settle::{Bias, settle_runs};
-use crate::window::solve::Exact;
+use crate::window::settle::{Bias, settle, settle_runs};
+use crate::window::solve::{Choice, Exact};
 use crate::window::tune::{self, best_k};
 use crate::window::{Functional, Gaps, Signal, count, refuse_much_work, seconds, trimmed, whole_samples};
 
@@ -136,6 +138,9 @@ impl Keyed for Keys {
             return Err(found);
         }
         let condition = verdict(plant, &vec![0; plant.outputs.len()], steps, &self.window.span())?;
+        if let (Some(intermittent), None, true) = (&self.intermittent, &self.k, is_linear(plant)) {
+            return intermittent.least_squares(plant, &signals, steps, condition);
+        }
         let rest = rest(plant)?;
         let k = self.k(plant, &rest, steps)?;
         let plan = Plan { steps, k, rest, signals };
@@ -184,10 +189,7 @@ fn with_gaps(
     let periods = (gaps.settled - functional.steps).div_ceil(gaps.most);
     (certificate.noise_gain_l1, certificate.noise_gain_l2) = noise_gains(functional, &next, gaps.most, periods);
     certificate.disturbance_gain_l1.iter_mut().flatten().for_each(|gain| *gain = f64::INFINITY);
-    let states = |injection: &crate::plant::Injection| {
-        injection.symbols().iter().any(|symbol| matches!(symbol, Symbol::State(_)))
-    };
-    let bounded = plant.disturbances.is_empty() && !plant.injections.iter().any(states);
+    let bounded = plant.disturbances.is_empty() && is_linear(plant);
     let bound = |gains: &Vec<f64>| -> Option<f64> {
         let levels = plant.outputs.iter().map(|output| output.noise.as_ref()?.to_f64().ok());
         gains.iter().zip(levels).try_fold(0.0, |sum, (gain, level)| Some(sum + gain * level?)).filter(|_| bounded)
@@ -367,7 +369,7 @@ fn lipschitz(
     let shift = Matrix::identity(p, blocks.yy.precision()).scale(&Real::from_f64(k, blocks.yy.precision())?);
     let (mut k1, mut k2) = (norm(&blocks.ry), norm(&(&blocks.yy + &shift)));
     for (i, injection) in plant.injections.iter().enumerate() {
-        if !injection.symbols().iter().any(|symbol| matches!(symbol, Symbol::State(_))) {
+        if !depends_on_states(injection) {
             continue;
         }
         let squares = (0..p).map(|o| slope(plant, i, o)).try_fold(0.0, |sum, slope| Some(sum + slope? * slope?))?;
@@ -402,6 +404,82 @@ impl Intermittent {
             }
             _ => Err(found),
         }
+    }
+}
+
+/// Whether nothing nonlinear depends on what is measured.
+fn is_linear(plant: &Plant) -> bool {
+    !plant.injections.iter().any(depends_on_states)
+}
+
+fn depends_on_states(injection: &crate::plant::Injection) -> bool {
+    injection.symbols().iter().any(|symbol| matches!(symbol, Symbol::State(_)))
+}
+
+/// Half the distance from 1 to the next float.
+fn unit(scalar: Scalar) -> f64 {
+    match scalar {
+        Scalar::F32 => f64::from(f32::EPSILON) / 2.0,
+        Scalar::F64 => f64::EPSILON / 2.0,
+    }
+}
+
+/// The largest round-off of the solve, in units of the samples, that is accepted.
+const LARGEST_ROUNDING: f64 = 1e-2;
+
+impl Intermittent {
+    /// For linear plants: least squares over the samples that are there, in finite time.
+    fn least_squares(
+        &self,
+        plant: &Plant,
+        signals: &[Signal],
+        steps: usize,
+        condition: f64,
+    ) -> Result<Design, Vec<Diagnostic>> {
+        let most = self.steps(plant)?;
+        let delays = vec![0; plant.outputs.len()];
+        let (mut functional, exact, mut numerics) = settle(plant, signals, &delays, steps, &Choice::LeastSquares)?;
+        numerics.condition = condition;
+        let irregular = irregular::design(plant, signals, steps, most)?;
+        let rounding = unit(plant.scalar) * irregular.amplification(most);
+        let certificate = irregular::certify(plant, &irregular, &exact, most);
+        let (Some(certificate), true) = (certificate, rounding < LARGEST_ROUNDING) else {
+            let message = "measurements so far apart do not show every state within the window";
+            let label = format!("a measurement every {most} samples; round-off {} of the samples", short(rounding));
+            let error = Diagnostic::error(codes::WINDOW_TOO_SHORT, self.max.span(), message);
+            return Err(vec![error.label(label).measured(rounding).help("a longer window, or measure more often")]);
+        };
+        functional.irregular = Some(irregular);
+        let h = plant.sample_time_s();
+        let window = trimmed(seconds(steps, h));
+        Ok(Design {
+            method: METHOD.name,
+            realization: "solve",
+            summary: format!(
+                "least squares over the samples that are there of the last {} ({window} s at {h} s)",
+                steps + 1
+            ),
+            window_steps: steps,
+            valid_from_step: steps,
+            convergence: Convergence::Finite,
+            realizations: Vec::new(),
+            notes: vec![
+                format!(
+                    "gains with a measurement every {most} samples; round-off then {} of the samples",
+                    short(rounding)
+                ),
+                "a linear plant needs no condition on gaps: 000 Theorem 2 is not used (give `k` to use it)".into(),
+            ],
+            constants: vec![
+                NamedMatrix { letter: "Phi", rows: exact.model.phi.to_f64() },
+                NamedMatrix { letter: "C", rows: exact.model.c.to_f64() },
+            ],
+            fir: None,
+            certificate,
+            numerics,
+            warnings: time_warning(plant).into_iter().chain(resolution_warnings(plant)).collect(),
+            shape: Shape::Window(functional),
+        })
     }
 }
 

@@ -26,7 +26,7 @@ pub fn certify(plant: &Plant, functional: &Functional, exact: &Exact) -> Certifi
     };
     let noise_gain_l1 = gain(&|i, o| functional.outputs[o].l1(i));
     let noise_gain_l2 = gain(&|i, o| deadbeat_math::sqrt_f64(functional.outputs[o].sum_of_squares(i)));
-    let disturbance_gain_l1 = disturbance_gains(plant, exact);
+    let disturbance_gain_l1 = disturbance_gains(plant, &exact.accumulated);
     let error_bound = (0..n).map(|i| error_bound(plant, functional, &noise_gain_l1[i], &disturbance_gain_l1[i], i));
     let error_bound = error_bound.collect();
     Certificate { noise_gain_l1, noise_gain_l2, disturbance_gain_l1, error_bound }
@@ -85,7 +85,7 @@ pub fn range(plant: &Plant, symbol: Symbol) -> Interval {
 }
 
 /// Sum over the window of the integral of `|acc_i e^{A s} d|`, from above.
-fn disturbance_gains(plant: &Plant, exact: &Exact) -> Vec<Vec<f64>> {
+pub fn disturbance_gains(plant: &Plant, accumulated: &[Matrix]) -> Vec<Vec<f64>> {
     let n = plant.states.len();
     let p = Precision::bits(256);
     let columns: Vec<Matrix> = plant
@@ -97,7 +97,7 @@ fn disturbance_gains(plant: &Plant, exact: &Exact) -> Vec<Vec<f64>> {
         return vec![vec![f64::INFINITY; plant.disturbances.len()]; n];
     };
     let mut gains = vec![vec![0.0; plant.disturbances.len()]; n];
-    let matrices: Vec<Vec<Vec<f64>>> = exact.accumulated.iter().map(Matrix::to_f64).collect();
+    let matrices: Vec<Vec<Vec<f64>>> = accumulated.iter().map(Matrix::to_f64).collect();
     // What is zero in exact arithmetic is left at about 1e-150 of the rest by 512 bits.
     let floor = matrices.iter().flatten().flatten().fold(0.0_f64, |largest, x| largest.max(x.abs())) * 1e-100;
     for mut acc in matrices {

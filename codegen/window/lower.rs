@@ -11,6 +11,8 @@ mod cells;
 mod count;
 mod guard;
 mod injections;
+mod irregular;
+pub(crate) mod normal;
 mod predict;
 mod report;
 mod sample;
@@ -53,6 +55,8 @@ struct Sampled {
     outputs: Vec<Value>,
     /// Per signal: what enters the window.
     signals: Vec<Value>,
+    /// Per output, where the estimate is of the samples that are there: 1 for a sample, 0 for none.
+    present: Vec<Value>,
 }
 
 struct Lowering<'a> {
@@ -82,9 +86,15 @@ impl<'a> Lowering<'a> {
     }
 
     fn step(&mut self) {
-        let sampled = self.sample();
+        let sampled = if self.functional.irregular.is_some() { self.sample_what_is_there() } else { self.sample() };
         let count = self.count(&sampled);
         self.store(&sampled);
+        if let Some(irregular) = &self.functional.irregular {
+            let full = self.counted(count, self.window());
+            let answer = self.irregular(irregular, &sampled, full);
+            self.report_irregular(&answer, &sampled);
+            return;
+        }
         let rings = (self.cells.outputs.as_slice(), self.cells.signals.as_slice());
         let estimate = sums::estimate(&mut self.builder, self.plant, self.functional, rings, sampled.newest);
         self.look_ahead(&estimate, &sampled);
@@ -106,6 +116,10 @@ impl<'a> Lowering<'a> {
         self.builder.section("into the window");
         self.builder.set(self.cells.newest, sampled.newest);
         for (ring, value) in self.cells.outputs.iter().zip(&sampled.outputs) {
+            self.builder.set_ring(*ring, sampled.newest, *value);
+        }
+        let present = self.cells.memory.as_ref().map(|memory| memory.present.as_slice()).unwrap_or_default();
+        for (ring, value) in present.iter().zip(&sampled.present) {
             self.builder.set_ring(*ring, sampled.newest, *value);
         }
         for (ring, value) in self.cells.signals.iter().zip(&sampled.signals) {

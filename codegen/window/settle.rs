@@ -47,7 +47,7 @@ pub enum Bias {
     OfSampling,
 }
 
-/// Designs at rising precision until everything has settled; `run` is the design at one precision.
+/// Settles a window functional; `run` is the design at one precision.
 pub fn settle_runs(
     plant: &Plant,
     signals: &[Signal],
@@ -56,24 +56,37 @@ pub fn settle_runs(
     bias: Bias,
     run: &dyn Fn(Precision) -> Result<Exact, Vec<Diagnostic>>,
 ) -> Result<(Functional, Exact, Numerics), Vec<Diagnostic>> {
+    let round = |pass: &mut Pass, coarse: &Exact, fine: &Exact| pass.functional(coarse, fine, signals, delays, steps);
+    let unbiasedness = |exact: &Exact| if bias == Bias::None { exact.unbiasedness } else { 0.0 };
+    let (functional, exact, numerics) = rising(plant, run, round, unbiasedness)?;
+    let unbiasedness = exact.unbiasedness;
+    Ok((functional, exact, Numerics { unbiasedness, ..numerics }))
+}
+
+/// Runs at rising precision until what `round` takes of two runs has settled: that, the finer run, the record.
+pub(crate) fn rising<T, F>(
+    plant: &Plant,
+    run: impl Fn(Precision) -> Result<T, Vec<Diagnostic>>,
+    round: impl Fn(&mut Pass, &T, &T) -> F,
+    unbiasedness: impl Fn(&T) -> f64,
+) -> Result<(F, T, Numerics), Vec<Diagnostic>> {
     let mut precision = Precision::bits(FIRST_BITS);
     let mut coarse = run(precision)?;
     let mut agreement;
     loop {
         let fine = run(precision.doubled())?;
         let mut pass = Pass { precision, coarse: Vec::new(), fine: Vec::new(), settled: Vec::new() };
-        let functional = pass.functional(&coarse, &fine, signals, delays, steps);
+        let rounded = round(&mut pass, &coarse, &fine);
         let result = compare(pass.coarse.iter(), pass.fine.iter());
         agreement = result.digits;
-        let unbiased = fine.unbiasedness < 1e-30 || bias == Bias::OfSampling;
-        if result.same_f64 && result.same_f32 && unbiased {
-            let numerics =
-                Numerics { digits: precision.as_digits(), agreement, condition: 0.0, unbiasedness: fine.unbiasedness };
-            return Ok((functional, fine, numerics));
+        let unbiasedness = unbiasedness(&fine);
+        if result.same_f64 && result.same_f32 && unbiasedness < 1e-30 {
+            let numerics = Numerics { digits: precision.as_digits(), agreement, condition: 0.0, unbiasedness };
+            return Ok((rounded, fine, numerics));
         }
         precision = precision.doubled();
         if precision.as_bits() > LAST_BITS {
-            return Err(vec![refusal(plant, agreement, fine.unbiasedness)]);
+            return Err(vec![refusal(plant, agreement, unbiasedness)]);
         }
         coarse = fine;
     }
@@ -94,7 +107,7 @@ fn refusal(plant: &Plant, agreement: f64, unbiasedness: f64) -> Diagnostic {
 }
 
 /// One comparison of two runs.
-struct Pass {
+pub(crate) struct Pass {
     precision: Precision,
     coarse: Vec<Real>,
     fine: Vec<Real>,
@@ -103,7 +116,7 @@ struct Pass {
 
 impl Pass {
     /// Rounds numbers of one unit; exact zeros on both sides are structural and give nothing.
-    fn group(&mut self, coarse: &[Real], fine: &[Real]) -> Option<Vec<Settled>> {
+    pub(crate) fn group(&mut self, coarse: &[Real], fine: &[Real]) -> Option<Vec<Settled>> {
         if coarse.iter().chain(fine).all(Real::is_zero) {
             return None;
         }
@@ -127,7 +140,7 @@ impl Pass {
     }
 
     /// Rounds numbers of different units; each structural zero gives nothing.
-    fn each(&mut self, coarse: &[Real], fine: &[Real]) -> Vec<Option<Settled>> {
+    pub(crate) fn each(&mut self, coarse: &[Real], fine: &[Real]) -> Vec<Option<Settled>> {
         let one = |pass: &mut Self, i: usize| pass.group(&coarse[i..=i], &fine[i..=i]).map(|s| s[0]);
         (0..coarse.len()).map(|i| one(self, i)).collect()
     }
@@ -136,7 +149,7 @@ impl Pass {
         Weights { first, columns: coarse.iter().zip(fine).map(|(c, f)| self.group(c, f)).collect() }
     }
 
-    fn prediction(&mut self, coarse: &ExactPrediction, fine: &ExactPrediction) -> Prediction {
+    pub(crate) fn prediction(&mut self, coarse: &ExactPrediction, fine: &ExactPrediction) -> Prediction {
         let states = self.each(&coarse.states, &fine.states);
         let held = self.each(&coarse.held, &fine.held);
         let end = self.each(&coarse.end, &fine.end);
@@ -158,6 +171,6 @@ impl Pass {
         let constant = self.each(&coarse.constant, &fine.constant).into_iter().map(Option::unwrap_or_default).collect();
         let prediction = coarse.prediction.iter().zip(&fine.prediction).map(|(c, f)| self.prediction(c, f)).collect();
         let (delays, signals) = (delays.to_vec(), signals.to_vec());
-        Functional { steps, delays, signals, outputs, knowns, constant, prediction, gaps: None }
+        Functional { steps, delays, signals, outputs, knowns, constant, prediction, gaps: None, irregular: None }
     }
 }

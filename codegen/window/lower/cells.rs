@@ -6,6 +6,7 @@ use crate::program::builder::Builder;
 
 use super::super::Functional;
 use super::count::longest_count;
+use super::irregular::Memory;
 use super::{injections, late_len, window_len};
 
 /// The cells of a window method.
@@ -32,6 +33,8 @@ pub(super) struct Cells {
     pub(super) late: Vec<Option<CellId>>,
     /// Calls since init.
     pub(super) calls: CellId,
+    /// Of an estimate from the samples that are there.
+    pub(super) memory: Option<Memory>,
 }
 
 /// Declares the cells; those that nothing reads are left out of the Program.
@@ -92,7 +95,22 @@ pub(super) fn declare(builder: &mut Builder, plant: &Plant, functional: &Functio
         }
     }
     let calls = builder.index_cell("calls", "calls since init", 0);
-    Cells { outputs, signals, inputs, newest, count, missed, gaps, coasting, ahead, late, calls }
+    let memory = functional.irregular.as_ref().map(|_| memory(builder, plant, window));
+    Cells { outputs, signals, inputs, newest, count, missed, gaps, coasting, ahead, late, calls, memory }
+}
+
+fn memory(builder: &mut Builder, plant: &Plant, window: u32) -> Memory {
+    let present = plant.outputs.iter().map(|output| {
+        let name = &output.label.name;
+        builder.ring(&format!("has_{name}"), &format!("1 where there is a sample of {name}, by slot"), window, 0.0)
+    });
+    let present = present.collect();
+    let next = plant.states.iter().map(|state| {
+        let name = &state.label.name;
+        builder.float_cell(&format!("next_{name}"), &format!("{name} as the model predicts it, as far as known"), 0.0)
+    });
+    let next = next.collect();
+    Memory { present, next, known: builder.index_cell("known", "whether that comes from an estimate", 0) }
 }
 
 fn bracketed(unit: &str) -> String {

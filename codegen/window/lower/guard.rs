@@ -110,7 +110,11 @@ fn largest_gain(plant: &Plant, functional: &Functional) -> f64 {
         let weights = functional.outputs.iter().chain(&functional.knowns);
         weights.map(|w| w.l1(i)).sum::<f64>() + functional.constant[i].double.abs()
     };
-    let states: Vec<f64> = (0..plant.states.len()).map(state).collect();
+    let mut states: Vec<f64> = (0..plant.states.len()).map(state).collect();
+    if let Some(irregular) = &functional.irregular {
+        let largest = irregular.largest_gain();
+        states.iter_mut().for_each(|gain| *gain = gain.max(largest));
+    }
     let prediction = |p: &Prediction| -> f64 {
         let own: f64 = p.states.iter().zip(&states).map(|(weight, gain)| size(weight) * gain).sum();
         let signals: f64 = p.held.iter().chain(&p.end).map(|weight| 2.0 * size(weight)).sum();

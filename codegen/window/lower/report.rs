@@ -5,6 +5,7 @@ use crate::program::{Status, Value};
 
 use super::super::Part;
 use super::count::settled;
+use super::irregular::Irregularly;
 use super::{Lowering, Sampled, field, injections, late_len};
 
 impl Lowering<'_> {
@@ -43,6 +44,29 @@ impl Lowering<'_> {
         }
     }
 
+    /// The estimate from the samples that are there, or the start while there is none.
+    pub(super) fn report_irregular(&mut self, answer: &Irregularly, sampled: &Sampled) {
+        self.builder.section("the estimate; until there is one, the start");
+        for (i, state) in self.plant.states.iter().enumerate() {
+            let start = self.start(i, sampled);
+            let value = self.builder.select(answer.usable, answer.estimate[i], start);
+            self.builder.estimate(field(&state.label.name, &state.label.unit, &state.label.doc), value);
+        }
+        let coasting = self.builder.read(self.cells.coasting);
+        let none = self.builder.index(0);
+        let clean = self.builder.index_equal(coasting, none);
+        let renewed = self.builder.and(answer.enough, clean);
+        self.status(answer.usable, renewed);
+    }
+
+    /// Converged, or coasting where the estimate is not clean, or converging.
+    fn status(&mut self, converged: Value, clean: Value) {
+        let statuses = [Status::Converged, Status::Coasting, Status::Converging].map(|s| self.builder.status(s));
+        let working = self.builder.select(clean, statuses[0], statuses[1]);
+        let status = self.builder.select(converged, working, statuses[2]);
+        self.builder.report(status);
+    }
+
     /// The estimate, or the start while the window is not full.
     pub(super) fn report(&mut self, estimate: &[Value], sampled: &Sampled, count: Value) {
         self.builder.section("the estimate; until the window is full, the start");
@@ -56,10 +80,7 @@ impl Lowering<'_> {
         let coasting = self.builder.read(self.cells.coasting);
         let none = self.builder.index(0);
         let clean = self.builder.index_equal(coasting, none);
-        let statuses = [Status::Converged, Status::Coasting, Status::Converging].map(|s| self.builder.status(s));
-        let working = self.builder.select(clean, statuses[0], statuses[1]);
-        let status = self.builder.select(converged, working, statuses[2]);
-        self.builder.report(status);
+        self.status(converged, clean);
     }
 
     /// Measured states from the newest sample, the others their `initial`.

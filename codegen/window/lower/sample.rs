@@ -74,7 +74,46 @@ impl<'a> Lowering<'a> {
         let samples_good = late.iter().fold(newest_good, |all, (_, good)| self.builder.and(all, *good));
         let interval_good = self.all(&signals.since);
         let lost = self.any(&lost);
-        Sampled { newest, samples_good, interval_good, newest_good, late, lost, outputs: stored, signals: values }
+        Sampled {
+            newest,
+            samples_good,
+            interval_good,
+            newest_good,
+            late,
+            lost,
+            outputs: stored,
+            signals: values,
+            present: Vec::new(),
+        }
+    }
+
+    /// Reads, guards and evaluates for an estimate from the samples that are there: nothing stands in for the others.
+    pub(super) fn sample_what_is_there(&mut self) -> Sampled {
+        let window = self.window();
+        self.builder.section("samples: outside its range, infinite or NaN means missing");
+        let before = self.builder.read(self.cells.newest);
+        let before = self.builder.at_most(before, window - 1);
+        let read: Vec<(Value, Value)> = (0..self.plant.outputs.len()).map(|o| self.read_output(o)).collect();
+        let mut signals = self.read_signals(before);
+        let newest = self.builder.advance(before, window);
+        let (zero, one) = (self.builder.float(0.0), self.builder.float(1.0));
+        let rings = self.cells.outputs.clone();
+        let outputs: Vec<Value> = read
+            .iter()
+            .zip(rings)
+            .map(|((value, good), ring)| {
+                let last = self.builder.read_ring(ring, before);
+                self.builder.select(*good, *value, last)
+            })
+            .collect();
+        let present = read.iter().map(|(_, good)| self.builder.select(*good, one, zero)).collect();
+        self.known_before_the_samples(&mut signals, before);
+        self.known_with_the_samples(&mut signals, before, &outputs);
+        let values = signals.values.into_iter().flatten().collect();
+        let (samples_good, lost) = (self.builder.boolean(true), self.builder.boolean(false));
+        let (interval_good, newest_good) = (self.all(&signals.since), self.all(&signals.now));
+        let late = Vec::new();
+        Sampled { newest, samples_good, interval_good, newest_good, late, lost, outputs, signals: values, present }
     }
 
     /// Whether each sample is good, or missing as measurements at irregular times are.

@@ -1,0 +1,216 @@
+//! The estimate from the samples that are there: one pass over the window, then a small solve.
+//!
+//! The pass goes from the oldest row to the newest. It carries what is known to have moved the state since the
+//! window's start, so that what a sample shows beyond that is the start's doing; rows without a sample count nothing.
+//! Where too few samples determine the state, the model's prediction from the last estimate stands in.
+
+use crate::design::Settled;
+use crate::program::builder::Builder;
+use crate::program::{CellId, Scalar, Value};
+
+use super::super::irregular::{Irregular, Sparse};
+use super::normal::{solve, triangle};
+use super::{Lowering, Sampled, place};
+
+/// What the solve keeps from call to call.
+pub(super) struct Memory {
+    /// Per output: 1 for a sample, 0 for none; by slot.
+    pub(super) present: Vec<CellId>,
+    /// Per state: the model's prediction, as far as it is known.
+    pub(super) next: Vec<CellId>,
+    /// Whether that prediction comes from an estimate.
+    pub(super) known: CellId,
+}
+
+/// What one pass carries.
+struct Carried {
+    normal: Vec<Value>,
+    right: Vec<Value>,
+    response: Vec<Value>,
+    slot: Value,
+}
+
+impl Carried {
+    fn flat(&self) -> Vec<Value> {
+        self.normal.iter().chain(&self.right).chain(&self.response).copied().chain([self.slot]).collect()
+    }
+
+    fn of(values: &[Value], n: usize) -> Self {
+        let pairs = triangle(n).len();
+        Self {
+            normal: values[..pairs].to_vec(),
+            right: values[pairs..pairs + n].to_vec(),
+            response: values[pairs + n..pairs + 2 * n].to_vec(),
+            slot: values[pairs + 2 * n],
+        }
+    }
+}
+
+/// An estimate that not every call can renew.
+pub(super) struct Irregularly {
+    /// Per state.
+    pub(super) estimate: Vec<Value>,
+    /// Whether the samples determine it.
+    pub(super) enough: Value,
+    /// Whether it is one.
+    pub(super) usable: Value,
+}
+
+/// One pass over the window.
+struct Pass<'a> {
+    irregular: &'a Irregular,
+    scalar: Scalar,
+    len: u32,
+    outputs: &'a [CellId],
+    signals: &'a [CellId],
+    present: &'a [CellId],
+}
+
+impl Pass<'_> {
+    /// From one sample to the next: the known response.
+    fn next_interval(&self, b: &mut Builder, carried: Carried) -> Carried {
+        let slot = b.advance(carried.slot, self.len);
+        let begin: Vec<Value> = self.signals.iter().map(|ring| b.read_ring(*ring, carried.slot)).collect();
+        let end: Vec<Value> = self.signals.iter().map(|ring| b.read_ring(*ring, slot)).collect();
+        let response = (0..carried.response.len())
+            .map(|i| {
+                let kept = self.row(b, &self.irregular.phi, i, &carried.response);
+                let begun = self.column(b, &self.irregular.begin, i, &begin);
+                let ended = self.column(b, &self.irregular.end, i, &end);
+                let constant = self.irregular.constant[i].map(|c| b.float(c.value(self.scalar)));
+                let terms: Vec<Value> = [Some(kept), begun, ended, constant].into_iter().flatten().collect();
+                b.sum(&terms)
+            })
+            .collect();
+        Carried { response, slot, ..carried }
+    }
+
+    /// Adds the samples of one slot to the normal equations.
+    fn samples(&self, b: &mut Builder, mut carried: Carried, weights: &[Vec<Value>]) -> Carried {
+        for (o, row) in weights.iter().enumerate() {
+            let present = b.read_ring(self.present[o], carried.slot);
+            let sample = b.read_ring(self.outputs[o], carried.slot);
+            let foreseen = self.row(b, &self.irregular.c, o, &carried.response);
+            let shown = b.sub(sample, foreseen);
+            let trust = b.float(self.irregular.trust[o].value(self.scalar));
+            let shown = b.mul(trust, shown);
+            let row: Vec<Value> = row.iter().map(|weight| b.mul(present, *weight)).collect();
+            for (normal, (i, j)) in carried.normal.iter_mut().zip(triangle(row.len())) {
+                let product = b.mul(row[i], row[j]);
+                *normal = b.add(*normal, product);
+            }
+            for (right, weight) in carried.right.iter_mut().zip(&row) {
+                let product = b.mul(*weight, shown);
+                *right = b.add(*right, product);
+            }
+        }
+        carried
+    }
+
+    /// A row of a matrix times values.
+    fn row(&self, b: &mut Builder, matrix: &Sparse, i: usize, values: &[Value]) -> Value {
+        let mut terms = Vec::new();
+        for (weight, value) in matrix[i].iter().zip(values) {
+            if let Some(weight) = weight {
+                let weight = b.float(weight.value(self.scalar));
+                terms.push(b.mul(weight, *value));
+            }
+        }
+        b.sum(&terms)
+    }
+
+    /// What signals do to a state; `None` where nothing acts.
+    fn column(&self, b: &mut Builder, effects: &Sparse, i: usize, values: &[Value]) -> Option<Value> {
+        let column: Sparse = vec![effects.iter().map(|effect| effect[i]).collect()];
+        column[0].iter().any(Option::is_some).then(|| self.row(b, &column, 0, values))
+    }
+}
+
+impl Lowering<'_> {
+    /// The estimate, and whether it comes from samples, or at least from the model.
+    pub(super) fn irregular(&mut self, irregular: &Irregular, sampled: &Sampled, full: Value) -> Irregularly {
+        let (outputs, signals) = (self.cells.outputs.clone(), self.cells.signals.clone());
+        let memory = self.cells.memory.take().unwrap_or_else(|| unreachable!("declared with the solve"));
+        let (scalar, len) = (self.plant.scalar, self.window());
+        let pass = Pass { irregular, scalar, len, outputs: &outputs, signals: &signals, present: &memory.present };
+        let passed = self.pass(&pass, sampled.newest);
+        let threshold = self.plant.scalar_value(irregular.threshold);
+        let b = &mut self.builder;
+        b.section("the window's start from the samples that are there");
+        let (start, enough) = solve(b, &passed.normal, &passed.right, threshold);
+        let mut solved = Vec::new();
+        for (i, response) in passed.response.iter().enumerate() {
+            let free = pass.row(b, &irregular.through, i, &start);
+            solved.push(b.add(free, *response));
+        }
+        let answer = self.fall_back(&pass, &memory, sampled, (solved, enough), full);
+        self.cells.memory = Some(memory);
+        answer
+    }
+
+    /// Over the rows, oldest first.
+    fn pass(&mut self, pass: &Pass, newest: Value) -> Carried {
+        let (n, scalar, irregular) = (self.plant.states.len(), pass.scalar, pass.irregular);
+        let names: Vec<String> = self.plant.outputs.iter().map(|output| output.label.name.clone()).collect();
+        let b = &mut self.builder;
+        b.section("rows of the window, oldest first; those without a sample count nothing");
+        let zero = b.float(0.0);
+        let slot = b.advance(newest, pass.len);
+        let start =
+            Carried { normal: vec![zero; triangle(n).len()], right: vec![zero; n], response: vec![zero; n], slot };
+        let value = |weight: &Settled| weight.value(scalar);
+        let first: Vec<Vec<Value>> =
+            irregular.rows[0].iter().map(|row| row.iter().map(|weight| b.float(value(weight))).collect()).collect();
+        let start = pass.samples(b, start, &first);
+        let rows = irregular.rows[1..].iter().map(|row| row.iter().flatten().map(value).collect()).collect();
+        let columns = names.iter().flat_map(|name| (1..=n).map(move |j| format!("{name} in direction {j}")));
+        let table = b.table("ROWS", "orthonormal rows of the window, oldest first", columns.collect(), rows);
+        let after = b.loop_over(table, &start.flat(), |b, values| {
+            let carried = pass.next_interval(b, Carried::of(values, n));
+            let weights: Vec<Vec<Value>> =
+                (0..names.len()).map(|o| (0..n).map(|j| b.gain(place(o * n + j))).collect()).collect();
+            pass.samples(b, carried, &weights).flat()
+        });
+        Carried::of(&after, n)
+    }
+
+    /// The model's prediction where too few samples came; and what the next call needs for that.
+    fn fall_back(
+        &mut self,
+        pass: &Pass,
+        memory: &Memory,
+        sampled: &Sampled,
+        (solved, enough): (Vec<Value>, Value),
+        full: Value,
+    ) -> Irregularly {
+        let (irregular, bound, b) = (pass.irregular, self.guard.bound, &mut self.builder);
+        b.section("without enough samples, the model's prediction");
+        let (none, one, zero) = (b.index(0), b.index(1), b.float(0.0));
+        let known = b.read(memory.known);
+        let mut usable = b.index_equal(known, one);
+        let mut estimate = Vec::new();
+        for (i, solved) in solved.into_iter().enumerate() {
+            let begun = b.read(memory.next[i]);
+            let ended = pass.column(b, &irregular.end, i, &sampled.signals);
+            let predicted = ended.map_or(begun, |ended| b.add(begun, ended));
+            let sane = b.in_range(predicted, -bound, bound);
+            usable = b.and(usable, sane);
+            estimate.push(b.select(enough, solved, predicted));
+        }
+        let some = b.or(enough, usable);
+        let usable = b.and(full, some);
+        let keep = b.select(usable, one, none);
+        b.set(memory.known, keep);
+        for (i, cell) in memory.next.iter().enumerate() {
+            let kept = pass.row(b, &irregular.phi, i, &estimate);
+            let begun = pass.column(b, &irregular.begin, i, &sampled.signals);
+            let constant = irregular.constant[i].map(|c| b.float(c.value(pass.scalar)));
+            let terms: Vec<Value> = [Some(kept), begun, constant].into_iter().flatten().collect();
+            let sum = b.sum(&terms);
+            let sane = b.in_range(sum, -bound, bound);
+            let next = b.select(sane, sum, zero);
+            b.set(*cell, next);
+        }
+        Irregularly { estimate, enough, usable }
+    }
+}
