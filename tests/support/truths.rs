@@ -10,12 +10,14 @@ use super::plant::{Hold, Truth, corpus};
 /// Every specification of the corpus whose truth is known.
 pub fn truth(name: &str) -> Option<Truth> {
     Some(match name {
-        "dc_motor" => dc_motor(),
+        "dc_motor" | "motor_single_delay" | "motor_intermittent" => dc_motor(),
+        "motor_continuous" => smooth_motor(),
+        "drive_irregular" => drive_irregular(),
         "inverted_cart" => inverted_cart(0.3),
         "late_position" => late_position(0.4),
         "magnetic_levitation" => magnetic_levitation(),
         "mass_chain" => mass_chain(),
-        "pendulum" => pendulum(),
+        "pendulum" | "pendulum_single_delay" => pendulum(),
         "thermal_stack" => thermal_stack(),
         "two_mass_drive" => two_mass_drive(),
         _ => return None,
@@ -44,6 +46,24 @@ fn dc_motor() -> Truth {
         start: vec![(-2.0, 2.0), (-3.0, 3.0), (-1.0, 1.0)],
         input: vec![(-10.0, 10.0)],
         exact: false,
+    }
+}
+
+/// Without a voltage: only between jumps of an input is the arm's motion as smooth as a cubic takes it to be.
+fn smooth_motor() -> Truth {
+    Truth { input: vec![(0.0, 0.0)], ..dc_motor() }
+}
+
+fn drive_irregular() -> Truth {
+    Truth {
+        discrete: false,
+        change: Box::new(|_, x, u| vec![x[1], 15.0 * x[2] - x[1], 40.0 * u[0] - 36.4 * x[1] - 200.0 * x[2]]),
+        outputs: Box::new(|x| vec![x[0]]),
+        delays: vec![0.0],
+        holds: vec![Hold::Zero],
+        start: vec![(-2.0, 2.0), (-3.0, 3.0), (-1.0, 1.0)],
+        input: vec![(-10.0, 10.0)],
+        exact: true,
     }
 }
 
