@@ -57,7 +57,7 @@ fn order(name: &str, observer: &str, window_s: f64, expected: f64) {
     let errors = errors(name, observer, window_s);
     for state in 0..errors[0].len() {
         let of: Vec<f64> = errors.iter().map(|e| e[state]).collect();
-        if observer.contains("single-delay") && state == 0 {
+        if observer.contains("single-delay") && state < truth(name).unwrap().delays.len() {
             assert!(of.iter().all(|e| *e == 0.0), "what is measured is passed through: {of:?}");
             continue;
         }
@@ -70,10 +70,15 @@ fn order(name: &str, observer: &str, window_s: f64, expected: f64) {
     }
 }
 
+/// Of the drive, whose two outputs count by their noise, only the paper's form: the twin's error is 1e4 times
+/// smaller and not yet of one order at these sample times.
 #[test]
 fn the_error_has_the_order_of_the_hold() {
-    for (name, window, k) in [("dc_motor", 0.12, 40), ("pendulum", 0.24, 20)] {
-        for form in ["exact", "continuous"] {
+    let both = ["exact", "continuous"].as_slice();
+    for (name, window, k, forms) in
+        [("dc_motor", 0.12, 40, both), ("pendulum", 0.24, 20, both), ("two_mass_drive", 0.06, 60, &both[1..])]
+    {
+        for form in forms {
             for (hold, expected) in [("first", 2.0), ("third", 4.0)] {
                 let keys = format!("window = {window}\nk = {k}\nform = '{form}'\nhold = '{hold}'");
                 order(name, &format!("[observer.single-delay]\n{keys}"), window, expected);
