@@ -30,7 +30,6 @@ use crate::design::{Certificate, Convergence, Design, NamedMatrix, Shape};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::expr::{Constant, Symbol};
 use crate::plant::Plant;
-use crate::program::Scalar;
 use crate::real::{Matrix, Precision, Real};
 use crate::spec::Quantity;
 use crate::spec::reader::Table;
@@ -416,14 +415,6 @@ fn depends_on_states(injection: &crate::plant::Injection) -> bool {
     injection.symbols().iter().any(|symbol| matches!(symbol, Symbol::State(_)))
 }
 
-/// Half the distance from 1 to the next float.
-fn unit(scalar: Scalar) -> f64 {
-    match scalar {
-        Scalar::F32 => f64::from(f32::EPSILON) / 2.0,
-        Scalar::F64 => f64::EPSILON / 2.0,
-    }
-}
-
 /// The largest round-off of the solve, in units of the samples, that is accepted.
 const LARGEST_ROUNDING: f64 = 1e-2;
 
@@ -441,13 +432,30 @@ impl Intermittent {
         let (mut functional, exact, mut numerics) = settle(plant, signals, &delays, steps, &Choice::LeastSquares)?;
         numerics.condition = condition;
         let irregular = irregular::design(plant, signals, steps, most)?;
-        let rounding = unit(plant.scalar) * irregular.amplification(most);
+        let rounding = irregular::unit(plant.scalar) * irregular.amplification(most);
         let certificate = irregular::certify(plant, &irregular, &exact, most);
-        let (Some(certificate), true) = (certificate, rounding < LARGEST_ROUNDING) else {
-            let message = "measurements so far apart do not show every state within the window";
-            let label = format!("a measurement every {most} samples; round-off {} of the samples", short(rounding));
+        let refuse = |message: &str, label: String, number: f64| {
             let error = Diagnostic::error(codes::WINDOW_TOO_SHORT, self.max.span(), message);
-            return Err(vec![error.label(label).measured(rounding).help("a longer window, or measure more often")]);
+            vec![
+                error
+                    .label(label)
+                    .measured(number)
+                    .help("measure more often, or leave the fast states out of the model"),
+            ]
+        };
+        if irregular.pivot < 16.0 * irregular.threshold || rounding > LARGEST_ROUNDING {
+            let message = "a motion of the plant dies out between two measurements";
+            let label = format!(
+                "smallest pivot {} with one every {most} samples, round-off {} of the samples in {}",
+                short(irregular.pivot),
+                short(rounding),
+                plant.scalar
+            );
+            return Err(refuse(message, label, irregular.pivot));
+        }
+        let Some(certificate) = certificate else {
+            let message = "measurements so far apart do not show every state within the window";
+            return Err(refuse(message, format!("a measurement every {most} samples"), irregular.pivot));
         };
         functional.irregular = Some(irregular);
         let h = plant.sample_time_s();

@@ -9,6 +9,7 @@
 use crate::design::{Certificate, Settled};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::plant::Plant;
+use crate::program::Scalar;
 use crate::real::{Matrix, Precision, Real, inverse};
 
 use super::Signal;
@@ -39,6 +40,8 @@ pub struct Irregular {
     pub end: Sparse,
     /// Per state: what the constant terms add in an interval.
     pub constant: Vec<Option<Settled>>,
+    /// The smallest pivot with a sample every `most` calls.
+    pub pivot: f64,
     /// The smallest pivot that is trusted.
     pub threshold: f64,
 }
@@ -135,6 +138,14 @@ struct Exact {
     model: Model,
 }
 
+/// Half the distance from 1 to the next float.
+pub fn unit(scalar: Scalar) -> f64 {
+    match scalar {
+        Scalar::F32 => f64::from(f32::EPSILON) / 2.0,
+        Scalar::F64 => f64::EPSILON / 2.0,
+    }
+}
+
 /// Designs the solve for gaps of up to `most` samples.
 pub fn design(plant: &Plant, signals: &[Signal], steps: usize, most: usize) -> Result<Irregular, Vec<Diagnostic>> {
     let refuse = || {
@@ -151,8 +162,11 @@ pub fn design(plant: &Plant, signals: &[Signal], steps: usize, most: usize) -> R
     let round = |pass: &mut Pass, coarse: &Exact, fine: &Exact| rounded(pass, coarse, fine, plant.outputs.len());
     let (irregular, exact, _) = rising(plant, run, round, |_| 0.0)?;
     let trust = exact.model.trust.iter().map(Settled::round).collect();
-    let threshold = smallest_pivot(&irregular.rows, most) / 16.0;
-    Ok(Irregular { threshold, trust, ..irregular })
+    let pivot = smallest_pivot(&irregular.rows, most);
+    // Below the limit a pivot is rounding; irregular patterns are a little worse than the worst regular one.
+    let limit = 64.0 * super::count(plant.states.len()) * unit(plant.scalar);
+    let threshold = limit.max(pivot / 64.0);
+    Ok(Irregular { pivot, threshold, trust, ..irregular })
 }
 
 /// R of `W O = Q R`, upper triangular, by Cholesky's factorisation of the Gramian.
@@ -206,7 +220,7 @@ fn rounded(pass: &mut Pass, coarse: &Exact, fine: &Exact, outputs: usize) -> Irr
     };
     let (begin, end) = (effects(|e| &e.at_begin), effects(|e| &e.at_end));
     let constant = sparse(&c.constant.transpose(), &f.constant.transpose()).remove(0);
-    Irregular { rows, through, phi, c: seen, begin, end, constant, trust: Vec::new(), threshold: 0.0 }
+    Irregular { rows, through, phi, c: seen, begin, end, constant, trust: Vec::new(), pivot: 0.0, threshold: 0.0 }
 }
 
 /// The smallest pivot of the normal equations with a sample every `most` calls, at the worst call.
