@@ -207,7 +207,7 @@ fn certificate(generated: &Generated) -> Vec<String> {
     }
     if !plant.discrete && plant.injections.iter().any(|i| i.symbols().iter().any(|s| !matches!(s, Symbol::Input(_)))) {
         let course = match generated.design.shape.between() {
-            Between::Lines => "straight lines between samples, second order in the sample time",
+            Between::Lines | Between::Steps => "straight lines between samples, second order in the sample time",
             Between::Cubics => "cubics between samples, fourth order in the sample time",
         };
         lines.push(format!("  on top: nonlinear terms are {course}"));

@@ -22,7 +22,9 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use super::window::{check_cubics, fir, refuse_unknowns, resolution_warnings, time_warning, verdict, window_steps};
+use super::window::{
+    check_hold, fir, read_hold, refuse_unknowns, resolution_warnings, time_warning, verdict, window_steps,
+};
 use super::{Keyed, Method};
 use crate::decimal::show;
 use crate::describe::short;
@@ -71,10 +73,9 @@ struct Keys {
     /// `None` for "auto".
     k: Option<Quantity>,
     continuous: bool,
-    between: Between,
+    hold: (Between, Range<usize>),
     intermittent: Option<Intermittent>,
     accept: bool,
-    place: Range<usize>,
 }
 
 /// The shortest and the longest time between two measurements.
@@ -90,14 +91,13 @@ fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
     if window.is_none() && !table.has("window") {
         table.missing("window", "write `window = …`, the delay tau in seconds, by which the estimate is exact");
     }
-    let place = table.key_span("hold");
     let k = table.quantity("k").filter(|k| !matches!(k, Quantity::Expression(text) if text.value == "auto"));
     let continuous = table.choice("form", &[("exact", false), ("continuous", true)], false);
-    let between = table.choice("hold", &[("first", Between::Lines), ("third", Between::Cubics)], Between::Lines);
+    let hold = read_hold(table);
     let intermittent = read_intermittent(table);
     let accept = table.choice("unproved", &[("refuse", false), ("accept", true)], false);
     table.choice("realization", &[("auto", ()), ("fir", ())], ());
-    Some(Arc::new(Keys { window: window?, k, continuous, between, intermittent, accept, place }))
+    Some(Arc::new(Keys { window: window?, k, continuous, hold, intermittent, accept }))
 }
 
 fn read_intermittent(table: &mut Table) -> Option<Intermittent> {
@@ -131,8 +131,8 @@ impl Keyed for Keys {
         let steps = window_steps(plant, &self.window, &mut found);
         let Some(steps) = steps else { return Err(found) };
         refuse_much_work(plant, steps, &self.window.span(), &mut found);
-        let signals = signals_between(plant, self.between);
-        check_cubics(plant, &signals, self.between, steps, &self.place, &mut found);
+        let signals = signals_between(plant, self.hold.0);
+        check_hold(plant, &signals, &self.hold, steps, &mut found);
         if !found.is_empty() {
             return Err(found);
         }
@@ -499,7 +499,7 @@ fn refuse_gramian(plant: &Plant, why: &str) -> Diagnostic {
 
 impl Plan {
     fn form(&self, keys: &Keys) -> Form {
-        Form { rest: self.rest.clone(), k: self.k.clone(), steps: self.steps, between: keys.between }
+        Form { rest: self.rest.clone(), k: self.k.clone(), steps: self.steps, between: keys.hold.0 }
     }
 
     /// `e^{-kh}`.

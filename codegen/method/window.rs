@@ -64,8 +64,7 @@ pub const METHOD: Method = Method {
 struct Keys {
     window: Quantity,
     weighting: Weighting,
-    between: Between,
-    place: Range<usize>,
+    hold: (Between, Range<usize>),
 }
 
 /// Which of the unbiased weights are wanted.
@@ -85,10 +84,9 @@ fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
     }
     let words = [("equal", Weighting::Equal), ("minimax", Weighting::Minimax)];
     let weighting = table.choice("weights", &words, Weighting::Equal);
-    let place = table.key_span("hold");
-    let between = table.choice("hold", &[("first", Between::Lines), ("third", Between::Cubics)], Between::Lines);
+    let hold = read_hold(table);
     table.choice("realization", &[("auto", ()), ("fir", ())], ());
-    Some(Arc::new(Keys { window: window?, weighting, between, place }))
+    Some(Arc::new(Keys { window: window?, weighting, hold }))
 }
 
 /// Bits at which observability is judged; a tolerance of half of them is far from any rounding.
@@ -105,8 +103,8 @@ impl Keyed for Keys {
         let span = self.window.span();
         refuse_long_delays(plant, &delays, steps, &span, &mut found);
         refuse_much_work(plant, steps, &span, &mut found);
-        let signals = signals_between(plant, self.between);
-        check_cubics(plant, &signals, self.between, steps, &self.place, &mut found);
+        let signals = signals_between(plant, self.hold.0);
+        check_hold(plant, &signals, &self.hold, steps, &mut found);
         if !found.is_empty() {
             return Err(found);
         }
@@ -156,19 +154,31 @@ impl Keys {
     }
 }
 
-/// Reports what stands against cubics between samples.
-pub(super) fn check_cubics(
+/// How nonlinear terms run between samples, with the key's place.
+pub(super) fn read_hold(table: &mut Table) -> (Between, Range<usize>) {
+    let place = table.key_span("hold");
+    let words = [("first", Between::Lines), ("third", Between::Cubics), ("zero", Between::Steps)];
+    (table.choice("hold", &words, Between::Lines), place)
+}
+
+/// Reports what stands against a course between samples.
+pub(super) fn check_hold(
     plant: &Plant,
     signals: &[Signal],
-    between: Between,
+    (between, span): &(Between, Range<usize>),
     steps: usize,
-    span: &Range<usize>,
     found: &mut Vec<Diagnostic>,
 ) {
-    if between == Between::Lines {
+    let refuse = |message: String| Diagnostic::error(codes::METHOD_CANNOT, span.clone(), message);
+    if *between == Between::Steps {
+        let late = plant.sample_time_s() / 2.0;
+        let message = format!("nonlinear terms that keep their last value are {} s late", show(late));
+        let error = refuse(message).label("half a sample: first order in the sample time").measured(late);
+        found.push(error.help("`hold = \"first\"` is of second order at the same cost, `\"third\"` of fourth"));
+    }
+    if *between != Between::Cubics {
         return;
     }
-    let refuse = |message: String| Diagnostic::error(codes::METHOD_CANNOT, span.clone(), message);
     if plant.discrete {
         let message = "`hold = \"third\"` is for plants in continuous time".to_owned();
         found.push(refuse(message).help("leave `hold` out: a discrete plant has nothing between samples"));

@@ -252,7 +252,7 @@ fn innovation_weights(
     let through = exponential(&kernel.scale(h))?;
     let curve = |start| third_order_hold(&kernel, &input, h, start);
     let shapes: Vec<Vec<Matrix>> = match form.between {
-        Between::Lines => {
+        Between::Lines | Between::Steps => {
             let (_, older, newer) = crate::real::first_order_hold(&kernel, &input, h)?;
             vec![vec![older, newer]]
         }
@@ -263,7 +263,7 @@ fn innovation_weights(
     for newer in 0..form.steps {
         // From age `newer + 1` to age `newer`.
         let start = match form.between {
-            Between::Lines => 0,
+            Between::Lines | Between::Steps => 0,
             Between::Cubics if newer == 0 => 2,
             Between::Cubics => usize::from(newer + 1 < form.steps),
         };

@@ -47,6 +47,8 @@ pub enum Between {
     Lines,
     /// Cubics through four samples: fourth order.
     Cubics,
+    /// The value of the sample before: first order, half a sample late; refused.
+    Steps,
 }
 
 /// What is known at each sample besides the outputs, with nonlinear terms as asked for.
