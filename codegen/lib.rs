@@ -14,6 +14,7 @@ pub mod diagnostic;
 pub mod emit;
 pub mod expr;
 pub mod method;
+pub mod parameters;
 pub mod plant;
 pub mod program;
 pub mod real;

@@ -18,6 +18,7 @@ pub fn truth(name: &str) -> Option<Truth> {
         "pendulum" => pendulum(),
         "thermal_stack" => thermal_stack(),
         "two_mass_drive" => two_mass_drive(),
+        "unknown_force" => unknown_force(),
         _ => return None,
     })
 }
@@ -185,5 +186,28 @@ fn two_mass_drive() -> Truth {
         start: vec![(-0.5, 0.5), (-0.5, 0.5), (-10.0, 10.0), (-10.0, 10.0)],
         input: vec![(-5.0, 5.0)],
         exact: false,
+    }
+}
+
+/// The unknowns are the last two states; they stay.
+fn unknown_force() -> Truth {
+    Truth {
+        discrete: false,
+        change: Box::new(|_, x, u| {
+            let (speed, current, load, offset) = (x[1], x[2], x[3], x[4]);
+            vec![
+                speed,
+                15.0 * current - speed + load,
+                40.0 * (u[0] + offset) - 36.4 * speed - 200.0 * current,
+                0.0,
+                0.0,
+            ]
+        }),
+        outputs: Box::new(|x| vec![x[0], x[2]]),
+        delays: vec![0.0; 2],
+        holds: vec![Hold::Zero],
+        start: vec![(-1.0, 1.0), (-3.0, 3.0), (-1.0, 1.0), (-20.0, 20.0), (-2.0, 2.0)],
+        input: vec![(-10.0, 10.0)],
+        exact: true,
     }
 }
