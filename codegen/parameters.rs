@@ -6,4 +6,5 @@
 //! ([`crate::regression`]). [`identifiable`] says which of them the outputs do not tell apart.
 
 pub mod augment;
+pub mod functions;
 pub mod identifiable;

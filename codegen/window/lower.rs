@@ -9,8 +9,8 @@
 
 mod cells;
 mod count;
-mod guard;
-mod injections;
+pub(crate) mod guard;
+pub(crate) mod injections;
 mod predict;
 mod report;
 mod sample;
@@ -24,11 +24,12 @@ use crate::program::{Field, Program, Value};
 
 use super::Functional;
 use cells::Cells;
-use guard::Guard;
+use guard::{Growth, Guard};
+use predict::Unknowns;
 
 /// Lowers a functional for its plant; constants that the target's floats cannot hold are reported.
 pub fn lower(plant: &Plant, functional: &Functional) -> Result<Program, Vec<Diagnostic>> {
-    let guard = Guard::new(plant, functional)?;
+    let guard = Guard::new(plant, functional, Growth::default())?;
     injections::check(plant)?;
     let mut lowering = Lowering::new(plant, functional, guard);
     lowering.step();
@@ -36,9 +37,9 @@ pub fn lower(plant: &Plant, functional: &Functional) -> Result<Program, Vec<Diag
 }
 
 /// What the first half of a step finds out.
-struct Sampled {
+pub(crate) struct Sampled {
     /// Slot of age 0.
-    newest: Value,
+    pub(crate) newest: Value,
     /// Whether everything sampled now was good.
     samples_good: Value,
     /// Whether everything since the last call was good.
@@ -55,16 +56,20 @@ struct Sampled {
     signals: Vec<Value>,
 }
 
-struct Lowering<'a> {
-    plant: &'a Plant,
+/// A step being written.
+pub(crate) struct Lowering<'a> {
+    pub(crate) plant: &'a Plant,
     functional: &'a Functional,
     guard: Guard,
-    builder: Builder,
-    cells: Cells,
+    pub(crate) builder: Builder,
+    pub(crate) cells: Cells,
+    /// Unknown constants that the step finds by a regression of its own.
+    pub(crate) unknowns: Option<Unknowns>,
 }
 
 impl<'a> Lowering<'a> {
-    fn new(plant: &'a Plant, functional: &'a Functional, guard: Guard) -> Self {
+    /// Declares the interface and the cells.
+    pub(crate) fn new(plant: &'a Plant, functional: &'a Functional, guard: Guard) -> Self {
         let mut builder =
             Builder::new(&plant.name, plant.scalar, injections::round(&plant.sample_time.0, plant.scalar));
         let cells = cells::declare(&mut builder, plant, functional);
@@ -74,10 +79,11 @@ impl<'a> Lowering<'a> {
         for input in &plant.inputs {
             builder.input(field(&input.label.name, &input.label.unit, &input.label.doc));
         }
-        Self { plant, functional, guard, builder, cells }
+        Self { plant, functional, guard, builder, cells, unknowns: None }
     }
 
-    fn constant(&mut self, value: Settled) -> Value {
+    /// A constant of the design.
+    pub(crate) fn constant(&mut self, value: Settled) -> Value {
         self.builder.float(value.value(self.plant.scalar))
     }
 
@@ -88,21 +94,23 @@ impl<'a> Lowering<'a> {
         let rings = (self.cells.outputs.as_slice(), self.cells.signals.as_slice());
         let estimate = sums::estimate(&mut self.builder, self.plant, self.functional, rings, sampled.newest);
         self.look_ahead(&estimate, &sampled);
-        self.report(&estimate, &sampled, count);
+        self.builder.section("the estimate; until the window is full, the start");
+        let converged = self.counted(count, self.window());
+        self.report(&estimate, &sampled, converged, converged);
     }
 
     /// N+1.
-    fn window(&self) -> u32 {
+    pub(crate) fn window(&self) -> u32 {
         window_len(self.functional)
     }
 
-    fn add_product(&mut self, sum: Value, weight: Settled, value: Value) -> Value {
-        let weight = self.constant(weight);
+    fn add_product(&mut self, sum: Value, weight: Value, value: Value) -> Value {
         let product = self.builder.mul(weight, value);
         self.builder.add(sum, product)
     }
 
-    fn store(&mut self, sampled: &Sampled) {
+    /// Writes what was sampled into the rings.
+    pub(crate) fn store(&mut self, sampled: &Sampled) {
         self.builder.section("into the window");
         self.builder.set(self.cells.newest, sampled.newest);
         for (ring, value) in self.cells.outputs.iter().zip(&sampled.outputs) {
@@ -118,12 +126,12 @@ impl<'a> Lowering<'a> {
 }
 
 /// N+1.
-fn window_len(functional: &Functional) -> u32 {
+pub(crate) fn window_len(functional: &Functional) -> u32 {
     u32::try_from(functional.steps + 1).unwrap_or_else(|_| unreachable!("the window's length is bounded"))
 }
 
 /// Samples that a late output's predictions wait for.
-fn late_len(functional: &Functional, output: usize) -> u32 {
+pub(crate) fn late_len(functional: &Functional, output: usize) -> u32 {
     u32::try_from(functional.delays[output]).unwrap_or_else(|_| unreachable!("delays are bounded"))
 }
 

@@ -136,7 +136,7 @@ fn trust(plant: &Plant, precision: Precision) -> Vec<Real> {
 }
 
 /// A discrete plant uses the value at the beginning of its step.
-fn discrete_effect(part: Part, column: Matrix) -> Effect {
+pub(crate) fn discrete_effect(part: Part, column: Matrix) -> Effect {
     match part {
         Part::Held | Part::Start => Effect { at_begin: None, at_end: Some(column) },
         Part::Runs => Effect { at_begin: Some(column), at_end: None },
@@ -144,7 +144,13 @@ fn discrete_effect(part: Part, column: Matrix) -> Effect {
     }
 }
 
-fn continuous_effect(part: Part, a: &Matrix, column: &Matrix, h: &Real) -> Result<Effect, crate::real::NormTooLarge> {
+/// Held, or a straight line over the interval.
+pub(crate) fn continuous_effect(
+    part: Part,
+    a: &Matrix,
+    column: &Matrix,
+    h: &Real,
+) -> Result<Effect, crate::real::NormTooLarge> {
     if part == Part::Held {
         let (_, gamma) = zero_order_hold(a, column, h)?;
         return Ok(Effect { at_begin: None, at_end: Some(gamma) });

@@ -35,24 +35,34 @@ pub fn settle(
             vec![Diagnostic::error(codes::UNOBSERVABLE, plant.span.clone(), message).label(error.to_string())]
         })
     };
+    let round = |pass: &mut Pass, coarse: &Exact, fine: &Exact| pass.functional(coarse, fine, signals, delays, steps);
+    rising(plant, run, round, |exact| exact.unbiasedness)
+}
+
+/// Runs at rising precision until what `round` takes of two runs has settled: that, the finer run, the record.
+pub(crate) fn rising<T, F>(
+    plant: &Plant,
+    run: impl Fn(Precision) -> Result<T, Vec<Diagnostic>>,
+    round: impl Fn(&mut Pass, &T, &T) -> F,
+    unbiasedness: impl Fn(&T) -> f64,
+) -> Result<(F, T, Numerics), Vec<Diagnostic>> {
     let mut precision = Precision::bits(FIRST_BITS);
     let mut coarse = run(precision)?;
     let mut agreement;
     loop {
         let fine = run(precision.doubled())?;
         let mut pass = Pass { precision, coarse: Vec::new(), fine: Vec::new(), settled: Vec::new() };
-        let functional = pass.functional(&coarse, &fine, signals, delays, steps);
+        let rounded = round(&mut pass, &coarse, &fine);
         let result = compare(pass.coarse.iter(), pass.fine.iter());
         agreement = result.digits;
-        let unbiased = fine.unbiasedness < 1e-30;
-        if result.same_f64 && result.same_f32 && unbiased {
-            let numerics =
-                Numerics { digits: precision.as_digits(), agreement, condition: 0.0, unbiasedness: fine.unbiasedness };
-            return Ok((functional, fine, numerics));
+        let unbiasedness = unbiasedness(&fine);
+        if result.same_f64 && result.same_f32 && unbiasedness < 1e-30 {
+            let numerics = Numerics { digits: precision.as_digits(), agreement, condition: 0.0, unbiasedness };
+            return Ok((rounded, fine, numerics));
         }
         precision = precision.doubled();
         if precision.as_bits() > LAST_BITS {
-            return Err(vec![refusal(plant, agreement, fine.unbiasedness)]);
+            return Err(vec![refusal(plant, agreement, unbiasedness)]);
         }
         coarse = fine;
     }
@@ -73,7 +83,7 @@ fn refusal(plant: &Plant, agreement: f64, unbiasedness: f64) -> Diagnostic {
 }
 
 /// One comparison of two runs.
-struct Pass {
+pub(crate) struct Pass {
     precision: Precision,
     coarse: Vec<Real>,
     fine: Vec<Real>,
@@ -82,7 +92,7 @@ struct Pass {
 
 impl Pass {
     /// Rounds numbers of one unit; exact zeros on both sides are structural and give nothing.
-    fn group(&mut self, coarse: &[Real], fine: &[Real]) -> Option<Vec<Settled>> {
+    pub(crate) fn group(&mut self, coarse: &[Real], fine: &[Real]) -> Option<Vec<Settled>> {
         if coarse.iter().chain(fine).all(Real::is_zero) {
             return None;
         }
@@ -106,7 +116,7 @@ impl Pass {
     }
 
     /// Rounds numbers of different units; each structural zero gives nothing.
-    fn each(&mut self, coarse: &[Real], fine: &[Real]) -> Vec<Option<Settled>> {
+    pub(crate) fn each(&mut self, coarse: &[Real], fine: &[Real]) -> Vec<Option<Settled>> {
         let one = |pass: &mut Self, i: usize| pass.group(&coarse[i..=i], &fine[i..=i]).map(|s| s[0]);
         (0..coarse.len()).map(|i| one(self, i)).collect()
     }
@@ -115,7 +125,8 @@ impl Pass {
         Weights { first, columns: coarse.iter().zip(fine).map(|(c, f)| self.group(c, f)).collect() }
     }
 
-    fn prediction(&mut self, coarse: &ExactPrediction, fine: &ExactPrediction) -> Prediction {
+    /// Rounds a prediction.
+    pub(crate) fn prediction(&mut self, coarse: &ExactPrediction, fine: &ExactPrediction) -> Prediction {
         let states = self.each(&coarse.states, &fine.states);
         let held = self.each(&coarse.held, &fine.held);
         let end = self.each(&coarse.end, &fine.end);

@@ -200,7 +200,7 @@ fn known_weights(model: &Model, signal: usize, accumulated: &[Matrix], part: Par
 }
 
 /// How an output's next sample is predicted from the estimate.
-fn predict(model: &Model, signals: &[Signal], output: usize, delay: usize) -> ExactPrediction {
+pub(crate) fn predict(model: &Model, signals: &[Signal], output: usize, delay: usize) -> ExactPrediction {
     let n = model.phi.rows();
     let c = model.c.block(output..output + 1, 0..n);
     let row = if delay == 0 { &c * &model.phi } else { c.clone() };

@@ -8,7 +8,7 @@ use super::{Lowering, Sampled, field, injections, late_len};
 
 impl Lowering<'_> {
     /// Keeps what the next prediction needs.
-    pub(super) fn look_ahead(&mut self, estimate: &[Value], sampled: &Sampled) {
+    pub(crate) fn look_ahead(&mut self, estimate: &[Value], sampled: &Sampled) {
         self.builder.section("the next measurement, as far as it is known");
         for o in 0..self.plant.outputs.len() {
             let prediction = self.functional.prediction[o].clone();
@@ -20,8 +20,8 @@ impl Lowering<'_> {
                 }
             }
             for (s, signal) in self.functional.signals.iter().enumerate() {
-                if let (Part::Runs, Some(weight)) = (signal.part, prediction.held[s]) {
-                    let weight = self.constant(weight);
+                if let (Part::Runs, Some(weight)) = (signal.part, self.held(o, s)) {
+                    let weight = self.factor(&weight);
                     terms.push(self.builder.mul(weight, sampled.signals[s]));
                 }
             }
@@ -42,13 +42,11 @@ impl Lowering<'_> {
         }
     }
 
-    /// The estimate, or the start while the window is not full.
-    pub(super) fn report(&mut self, estimate: &[Value], sampled: &Sampled, count: Value) {
-        self.builder.section("the estimate; until the window is full, the start");
-        let converged = self.counted(count, self.window());
+    /// The estimate where it is `known`, else the start; converged where it is known and `determined` now.
+    pub(crate) fn report(&mut self, estimate: &[Value], sampled: &Sampled, known: Value, determined: Value) {
         for (i, state) in self.plant.states.iter().enumerate() {
             let start = self.start(i, sampled);
-            let value = self.builder.select(converged, estimate[i], start);
+            let value = self.builder.select(known, estimate[i], start);
             self.builder.estimate(field(&state.label.name, &state.label.unit, &state.label.doc), value);
         }
         let coasting = self.builder.read(self.cells.coasting);
@@ -56,7 +54,7 @@ impl Lowering<'_> {
         let clean = self.builder.index_equal(coasting, none);
         let statuses = [Status::Converged, Status::Coasting, Status::Converging].map(|s| self.builder.status(s));
         let working = self.builder.select(clean, statuses[0], statuses[1]);
-        let status = self.builder.select(converged, working, statuses[2]);
+        let status = self.builder.select(determined, working, statuses[2]);
         self.builder.report(status);
     }
 
