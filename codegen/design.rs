@@ -8,6 +8,7 @@ use crate::diagnostic::Diagnostic;
 use crate::plant::Plant;
 use crate::program::{Program, Scalar};
 use crate::real::Real;
+use crate::regression::{self, Regression};
 use crate::window::{self, Functional};
 
 /// A constant after its one rounding, in both float types.
@@ -152,6 +153,8 @@ pub struct Design {
 pub enum Shape {
     /// A functional over the last N samples.
     Window(Functional),
+    /// A regression over the last N samples.
+    Regression(Box<Regression>),
 }
 
 impl Design {
@@ -159,6 +162,7 @@ impl Design {
     pub fn lower(&self, plant: &Plant) -> Result<Program, Vec<Diagnostic>> {
         match &self.shape {
             Shape::Window(functional) => window::lower::lower(plant, functional),
+            Shape::Regression(regression) => regression::lower::lower(plant, regression),
         }
     }
 }

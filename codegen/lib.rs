@@ -18,6 +18,7 @@ pub mod parameters;
 pub mod plant;
 pub mod program;
 pub mod real;
+pub mod regression;
 pub mod spec;
 pub mod window;
 

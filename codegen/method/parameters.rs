@@ -16,18 +16,25 @@ use std::sync::Arc;
 
 use super::window::{constants, delays, fir, refuse_long_delays, resolution_warnings, steps, time_warning, verdict};
 use super::{Keyed, Method};
-use crate::design::{Convergence, Design, Shape};
+use crate::decimal::show;
+use crate::describe::short;
+use crate::design::{Certificate, Convergence, Design, Shape};
 use crate::diagnostic::{Diagnostic, codes};
+use crate::expr::List;
 use crate::parameters::augment::{augmented, varying, without};
+use crate::parameters::functions::{Functions, with_functions};
 use crate::parameters::identifiable;
 use crate::plant::Plant;
+use crate::program::Scalar;
+use crate::regression::MOST;
+use crate::regression::exact::Problem;
 use crate::spec::Quantity;
 use crate::spec::reader::Table;
 use crate::window::certificate::certify;
 use crate::window::model::signals;
 use crate::window::settle::settle;
 use crate::window::solve::Choice;
-use crate::window::{refuse_much_work, seconds, trimmed};
+use crate::window::{count, refuse_much_work, seconds, trimmed};
 
 /// The registry's entry.
 pub const METHOD: Method = Method {
@@ -35,18 +42,32 @@ pub const METHOD: Method = Method {
     summary: "the state and unknown constants together, over the last N+1 samples",
     source: "Mazenc and Malisoff 2022 (parameters and states), Theorems 1, 2, 3, made exact for samples",
     keys: &[
-        ("window", "s", "length of the window, a whole number of samples"),
+        ("window", "s", "length of the window, a whole number of samples; the estimate has converged after it"),
+        (
+            "excitation",
+            "number",
+            "share of an unknown's effect that the state must not explain; 1e-3 in f32, 1e-6 in f64 (varying factors)",
+        ),
         ("realization", "\"auto\" | \"fir\"", "how the step computes it"),
     ],
-    realizations: &[("fir", "one weighted sum over the stored samples; no state that can drift")],
+    realizations: &[
+        ("fir", "one weighted sum over the stored samples; no state that can drift (constant factors)"),
+        ("regression", "responses and equations over the stored samples in every call (varying factors)"),
+    ],
     page: include_str!("parameters.md"),
     read,
 };
+
+/// The default of `excitation` in single precision: responses are right to about 1e-6, the unknowns then to 1e-3.
+const SINGLE: f64 = 1e-3;
+/// And in double precision: 1e-15 and 1e-9.
+const DOUBLE: f64 = 1e-6;
 
 /// The method's keys.
 #[derive(Clone, Debug)]
 struct Keys {
     window: Quantity,
+    excitation: Option<Quantity>,
 }
 
 fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
@@ -57,8 +78,16 @@ fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
             "write `window = …`, the length in seconds; the deadline by which the estimate is exact",
         );
     }
+    let excitation = table.quantity("excitation");
     table.choice("realization", &[("auto", ()), ("fir", ())], ());
-    Some(Arc::new(Keys { window: window? }))
+    Some(Arc::new(Keys { window: window?, excitation }))
+}
+
+/// A window that fits the plant.
+struct Frame {
+    steps: usize,
+    delays: Vec<usize>,
+    condition: f64,
 }
 
 impl Keyed for Keys {
@@ -67,10 +96,18 @@ impl Keyed for Keys {
             let error = Diagnostic::error(codes::METHOD_CANNOT, plant.span.clone(), "there is no unknown to estimate");
             return Err(vec![error.help("declare it under [unknowns], or use the method `window`")]);
         }
-        Ok(augmented(plant))
+        with_functions(augmented(plant))
     }
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {
+        let frame = self.frame(plant)?;
+        if varying(plant).is_empty() { functional(plant, &frame) } else { self.regression(plant, frame) }
+    }
+}
+
+impl Keys {
+    /// Refuses windows that are none, states that are not seen, unknowns that are not told apart.
+    fn frame(&self, plant: &Plant) -> Result<Frame, Vec<Diagnostic>> {
         let mut found = Vec::new();
         let steps = steps(&self.window, plant, &mut found);
         let delays = delays(plant, &mut found);
@@ -86,26 +123,107 @@ impl Keyed for Keys {
         let base = without(plant, &varying(plant));
         identifiable::check(&base, &delays)?;
         let condition = verdict(&base, &delays, steps, &span)?;
-        let (functional, exact, mut numerics) = settle(plant, &signals(plant), &delays, steps, &Choice::LeastSquares)?;
-        numerics.condition = condition;
-        let certificate = certify(plant, &functional, &exact);
+        Ok(Frame { steps, delays, condition })
+    }
+
+    /// The smallest share of an unknown's energy that the state must leave unexplained.
+    fn threshold(&self, plant: &Plant) -> Result<f64, Vec<Diagnostic>> {
+        let mut found = Vec::new();
+        let Some(key) = &self.excitation else {
+            return Ok(match plant.scalar {
+                Scalar::F32 => SINGLE * SINGLE,
+                Scalar::F64 => DOUBLE * DOUBLE,
+            });
+        };
+        let value = plant.constant(key, &mut found).and_then(|value| value.to_f64().ok()).unwrap_or(f64::NAN);
+        if found.is_empty() && !(value > 0.0 && value < 1.0) {
+            let message = format!("`excitation` must be between 0 and 1, not {}", show(value));
+            let error = Diagnostic::error(codes::BAD_NUMBER, key.span(), message).measured(value);
+            found.push(error.help("write the smallest share of an unknown's effect that counts, such as 1e-3"));
+        }
+        if found.is_empty() { Ok(value * value) } else { Err(found) }
+    }
+
+    /// Unknowns whose gammas vary.
+    fn regression(&self, plant: &Plant, frame: Frame) -> Result<Design, Vec<Diagnostic>> {
+        refuse_many(plant)?;
+        let (signals, steps) = (signals(plant), frame.steps);
+        let functions = Functions::of(plant);
+        let threshold = self.threshold(plant)?;
+        let problem = Problem { plant, functions, signals: &signals, delays: &frame.delays, steps, threshold };
+        let (regression, exact, mut numerics) = problem.settle()?;
+        numerics.condition = frame.condition;
+        let notes = notes(plant, &problem.functions, threshold);
         Ok(Design {
             method: METHOD.name,
-            realization: "fir",
+            realization: "regression",
             summary: summary(plant, steps),
             window_steps: steps,
             valid_from_step: steps,
             convergence: Convergence::Finite,
             realizations: Vec::new(),
-            notes: Vec::new(),
+            notes,
             constants: constants(&exact.model),
-            fir: Some(fir(plant, &functional)),
-            certificate,
+            fir: None,
+            certificate: Certificate::default(),
             numerics,
             warnings: time_warning(plant).into_iter().chain(resolution_warnings(plant)).collect(),
-            shape: Shape::Window(functional),
+            shape: Shape::Regression(Box::new(regression)),
         })
     }
+}
+
+/// Unknowns whose gammas are constant: a functional with constant weights.
+fn functional(plant: &Plant, frame: &Frame) -> Result<Design, Vec<Diagnostic>> {
+    let steps = frame.steps;
+    let settled = settle(plant, &signals(plant), &frame.delays, steps, &Choice::LeastSquares)?;
+    let (functional, exact, mut numerics) = settled;
+    numerics.condition = frame.condition;
+    let certificate = certify(plant, &functional, &exact);
+    Ok(Design {
+        method: METHOD.name,
+        realization: "fir",
+        summary: summary(plant, steps),
+        window_steps: steps,
+        valid_from_step: steps,
+        convergence: Convergence::Finite,
+        realizations: Vec::new(),
+        notes: Vec::new(),
+        constants: constants(&exact.model),
+        fir: Some(fir(plant, &functional)),
+        certificate,
+        numerics,
+        warnings: time_warning(plant).into_iter().chain(resolution_warnings(plant)).collect(),
+        shape: Shape::Window(functional),
+    })
+}
+
+fn refuse_many(plant: &Plant) -> Result<(), Vec<Diagnostic>> {
+    let varying = varying(plant);
+    let Some(first) = varying.get(MOST) else { return Ok(()) };
+    let message = format!("{} unknowns have factors that vary; at most {MOST} are estimated", varying.len());
+    let error = Diagnostic::error(codes::METHOD_CANNOT, plant.unknowns[*first].label.span.clone(), message);
+    Err(vec![error.measured(count(varying.len())).help("fewer unknowns")])
+}
+
+/// What is promised while the gain depends on the signals.
+fn notes(plant: &Plant, functions: &Functions, threshold: f64) -> Vec<String> {
+    let names: Vec<&str> = functions.unknowns.iter().map(|i| plant.unknowns[*i].label.name.as_str()).collect();
+    let share = short(deadbeat_math::sqrt_f64(threshold));
+    let mut notes = vec![
+        format!(
+            "the factors of {} vary: exact while the last window excites them, that is while the state",
+            List(&names)
+        ),
+        format!("explains all but {share} of what each shows; else they keep their last values and the status says so"),
+    ];
+    let lines = functions.lines.iter().flatten().any(|(k, _)| !plant.injections[*k].symbols().is_empty());
+    if lines && !plant.discrete {
+        notes.push(
+            "factors that depend on outputs are straight lines between samples, second order in the sample time".into(),
+        );
+    }
+    notes
 }
 
 fn summary(plant: &Plant, steps: usize) -> String {

@@ -5,7 +5,8 @@
 //! products), so that its effect over a sample interval is exact; every other one is held, or a straight
 //! line between samples, as the plant's own injections are.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
+use std::ops::Range;
 
 use crate::diagnostic::{Diagnostic, codes};
 use crate::expr::bounds::derivative;
@@ -44,24 +45,33 @@ struct Needs {
     /// Per unknown that varies.
     lines: Vec<Vec<(Poly, Vec<Constant>)>>,
     flows: Vec<Vec<(Monomial, Vec<Constant>)>>,
-    /// The exosystem: each function with its derivative.
-    system: BTreeMap<Monomial, BTreeMap<Monomial, Constant>>,
+    /// Per unknown that varies: the exosystem that it needs.
+    systems: Vec<System>,
 }
+
+/// Functions of time, each with its derivative.
+type System = BTreeMap<Monomial, BTreeMap<Monomial, Constant>>;
 
 /// An augmented plant with an injection, of no effect of its own, for every function of its gammas.
 pub fn with_functions(mut plant: Plant) -> Result<Plant, Vec<Diagnostic>> {
     let needs = Needs::of(&plant);
-    let monomials = needs.system.keys().map(|m| Poly::monomial(m.clone(), Rational::ONE));
-    let polys: BTreeSet<Poly> = needs.lines.iter().flatten().map(|(poly, _)| poly.clone()).chain(monomials).collect();
+    // Each function with the place of the first unknown that needs it.
+    let mut polys: BTreeMap<Poly, Range<usize>> = BTreeMap::new();
+    for (i, place) in varying(&plant).into_iter().enumerate() {
+        let members = needs.systems[i].keys().map(|m| Poly::monomial(m.clone(), Rational::ONE));
+        for poly in needs.lines[i].iter().map(|(poly, _)| poly.clone()).chain(members) {
+            polys.entry(poly).or_insert_with(|| plant.unknowns[place].label.span.clone());
+        }
+    }
     if polys.len() > MOST_FUNCTIONS {
         let message = format!("the factors of the unknowns are made of {} functions", polys.len());
         let error = Diagnostic::error(codes::TOO_LARGE, plant.span.clone(), message);
         return Err(vec![error.label(format!("at most {MOST_FUNCTIONS} are designed")).help("simpler factors")]);
     }
     let names: Vec<(String, Meaning)> = names(&plant);
-    for poly in polys {
+    for (poly, span) in polys {
         if find(&plant, &poly).is_none() {
-            let node = node_of(&poly, &plant);
+            let node = node_of(&poly, &span);
             let text = text_of(&node, &names);
             plant.injections.push(Injection { node, text, column: vec![Constant::default(); plant.states.len()] });
         }
@@ -76,7 +86,8 @@ impl Functions {
         let place = |poly: &Poly| {
             find(plant, poly).unwrap_or_else(|| unreachable!("every function of a gamma is an injection of the plant"))
         };
-        let members: Vec<&Monomial> = needs.system.keys().collect();
+        let system: System = needs.systems.iter().flatten().map(|(m, change)| (m.clone(), change.clone())).collect();
+        let members: Vec<&Monomial> = system.keys().collect();
         let lines = needs
             .lines
             .iter()
@@ -91,9 +102,7 @@ impl Functions {
             .collect();
         let change = members
             .iter()
-            .map(|row| {
-                members.iter().map(|column| needs.system[*row].get(*column).cloned().unwrap_or_default()).collect()
-            })
+            .map(|row| members.iter().map(|column| system[*row].get(*column).cloned().unwrap_or_default()).collect())
             .collect();
         let poly = |m: &&Monomial| Poly::monomial((*m).clone(), Rational::ONE);
         Self {
@@ -116,13 +125,13 @@ fn find(plant: &Plant, poly: &Poly) -> Option<usize> {
     plant.injections.iter().position(|injection| injection.node.poly == *poly)
 }
 
-fn node_of(poly: &Poly, plant: &Plant) -> Node {
+fn node_of(poly: &Poly, span: &Range<usize>) -> Node {
     let mut terms = poly.terms();
     match (terms.next(), terms.next()) {
         (Some((monomial, coefficient)), None) if *coefficient == Rational::ONE && !monomial.factors().is_empty() => {
-            Node::from_monomial(monomial, &plant.span)
+            Node::from_monomial(monomial, span)
         }
-        _ => Node::from_poly(poly, &plant.span),
+        _ => Node::from_poly(poly, span),
     }
 }
 
@@ -136,13 +145,13 @@ fn names(plant: &Plant) -> Vec<(String, Meaning)> {
 
 impl Needs {
     fn of(plant: &Plant) -> Self {
-        let mut needs = Self { lines: Vec::new(), flows: Vec::new(), system: BTreeMap::new() };
+        let mut needs = Self { lines: Vec::new(), flows: Vec::new(), systems: Vec::new() };
         for place in varying(plant) {
-            let (mut lines, mut flows) = (Vec::new(), Vec::new());
+            let (mut lines, mut flows, mut whole) = (Vec::new(), Vec::new(), System::new());
             for (monomial, column) in monomials(&plant.unknowns[place], own_states(plant)) {
                 match closure(&monomial).filter(|_| !plant.discrete) {
                     Some(system) => {
-                        needs.system.extend(system);
+                        whole.extend(system);
                         flows.push((monomial, column));
                     }
                     None => lines.push((monomial, column)),
@@ -150,6 +159,7 @@ impl Needs {
             }
             needs.lines.push(fewest(lines));
             needs.flows.push(flows);
+            needs.systems.push(whole);
         }
         needs
     }
@@ -196,11 +206,11 @@ fn fewest(lines: Vec<(Monomial, Vec<Constant>)>) -> Vec<(Poly, Vec<Constant>)> {
 
 /// All functions that a function of time and its derivatives are made of, each with its derivative; `None`
 /// when they are many, or it depends on more than time.
-fn closure(start: &Monomial) -> Option<BTreeMap<Monomial, BTreeMap<Monomial, Constant>>> {
+fn closure(start: &Monomial) -> Option<System> {
     if start.symbols().iter().any(|symbol| *symbol != Symbol::Time) {
         return None;
     }
-    let mut system = BTreeMap::new();
+    let mut system = System::new();
     let mut open = vec![start.clone()];
     while let Some(next) = open.pop() {
         if system.contains_key(&next) {

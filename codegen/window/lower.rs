@@ -11,7 +11,7 @@ mod cells;
 mod count;
 pub(crate) mod guard;
 pub(crate) mod injections;
-mod predict;
+pub(crate) mod predict;
 mod report;
 mod sample;
 mod sums;
@@ -60,7 +60,7 @@ pub(crate) struct Sampled {
 pub(crate) struct Lowering<'a> {
     pub(crate) plant: &'a Plant,
     functional: &'a Functional,
-    guard: Guard,
+    pub(crate) guard: Guard,
     pub(crate) builder: Builder,
     pub(crate) cells: Cells,
     /// Unknown constants that the step finds by a regression of its own.

@@ -279,8 +279,10 @@ fn largest<'a>(rows: impl Iterator<Item = &'a Vec<f64>>) -> Vec<f64> {
 
 /// The functional of a window design.
 pub fn functional(generated: &Generated) -> &Functional {
-    let Shape::Window(functional) = &generated.design.shape;
-    functional
+    match &generated.design.shape {
+        Shape::Window(functional) => functional,
+        other => panic!("{other:?} is no window functional"),
+    }
 }
 
 /// A matrix of the design by its letter.

@@ -19,6 +19,7 @@ pub fn truth(name: &str) -> Option<Truth> {
         "thermal_stack" => thermal_stack(),
         "two_mass_drive" => two_mass_drive(),
         "unknown_force" => unknown_force(),
+        "unknown_force_network" => unknown_force_network(),
         _ => return None,
     })
 }
@@ -209,5 +210,27 @@ fn unknown_force() -> Truth {
         start: vec![(-1.0, 1.0), (-3.0, 3.0), (-1.0, 1.0), (-20.0, 20.0), (-2.0, 2.0)],
         input: vec![(-10.0, 10.0)],
         exact: true,
+    }
+}
+
+/// Moving enough for its window to excite every unknown: it starts far from where the spring holds it.
+fn unknown_force_network() -> Truth {
+    let bump = |x: f64| (-(x / 0.4) * (x / 0.4)).exp();
+    Truth {
+        discrete: false,
+        change: Box::new(move |t, x, u| {
+            let (position, weights) = (x[0], &x[2..]);
+            let field = weights[0] * bump(position + 0.5)
+                + weights[1] * bump(position)
+                + weights[2] * bump(position - 0.5)
+                + weights[3] * (3.0 * t).sin();
+            vec![x[1], -40.0 * position + u[0] + field, 0.0, 0.0, 0.0, 0.0]
+        }),
+        outputs: Box::new(|x| vec![x[0]]),
+        delays: vec![0.0],
+        holds: vec![Hold::Zero],
+        start: vec![(1.0, 1.5), (-1.0, 1.0), (-3.0, 3.0), (-3.0, 3.0), (-3.0, 3.0), (-3.0, 3.0)],
+        input: vec![(-2.0, 2.0)],
+        exact: false,
     }
 }
