@@ -9,11 +9,13 @@
 //! `e_i = C p_i - o c_i`, has 002's Schur complement as its Gramian, `S = sum e e'`, and
 //! `S eps = sum e (y - C r)`. S is summed, not subtracted, so that single precision keeps its digits.
 //!
-//! [`exact`] has the numbers, [`bound`] what may enter, [`lower`] the Program. A sample that is missing is predicted, as in every window method; a row could as
+//! [`exact`] has the numbers, [`bound`] what may enter, [`mod@excitation`] what is known offline of S,
+//! [`lower`] the Program. A sample that is missing is predicted, as in every window method; a row could as
 //! well be left out of the sums, by a factor per row.
 
 pub mod bound;
 pub mod exact;
+pub mod excitation;
 pub mod lower;
 
 use crate::design::Settled;

@@ -26,8 +26,9 @@ use crate::parameters::functions::{Functions, with_functions};
 use crate::parameters::identifiable;
 use crate::plant::Plant;
 use crate::program::Scalar;
-use crate::regression::MOST;
 use crate::regression::exact::Problem;
+use crate::regression::excitation::excitation;
+use crate::regression::{MOST, Regression};
 use crate::spec::Quantity;
 use crate::spec::reader::Table;
 use crate::window::certificate::certify;
@@ -153,7 +154,8 @@ impl Keys {
         let problem = Problem { plant, functions, signals: &signals, delays: &frame.delays, steps, threshold };
         let (regression, exact, mut numerics) = problem.settle()?;
         numerics.condition = frame.condition;
-        let notes = notes(plant, &problem.functions, threshold);
+        let mut notes = notes(plant, &problem.functions, threshold);
+        notes.extend(excited(plant, &problem.functions, &regression)?);
         Ok(Design {
             method: METHOD.name,
             realization: "regression",
@@ -209,21 +211,74 @@ fn refuse_many(plant: &Plant) -> Result<(), Vec<Diagnostic>> {
 /// What is promised while the gain depends on the signals.
 fn notes(plant: &Plant, functions: &Functions, threshold: f64) -> Vec<String> {
     let names: Vec<&str> = functions.unknowns.iter().map(|i| plant.unknowns[*i].label.name.as_str()).collect();
-    let share = short(deadbeat_math::sqrt_f64(threshold));
     let mut notes = vec![
         format!(
-            "the factors of {} vary: exact while the last window excites them, that is while the state",
+            "{} with factors that vary: exact where the last window excites them, that is where more than",
             List(&names)
         ),
-        format!("explains all but {share} of what each shows; else they keep their last values and the status says so"),
+        format!(
+            "{} of what each shows is not explained by the state and the others; elsewhere they keep",
+            short(deadbeat_math::sqrt_f64(threshold))
+        ),
+        "their last values, and the status is `Converging`".into(),
     ];
     let lines = functions.lines.iter().flatten().any(|(k, _)| !plant.injections[*k].symbols().is_empty());
     if lines && !plant.discrete {
         notes.push(
-            "factors that depend on outputs are straight lines between samples, second order in the sample time".into(),
+            "factors that depend on outputs are straight lines between samples: second order in the sample time".into(),
         );
     }
     notes
+}
+
+/// What is known offline where factors depend on time alone; refused where no window excites.
+fn excited(plant: &Plant, functions: &Functions, regression: &Regression) -> Result<Vec<String>, Vec<Diagnostic>> {
+    let Some(found) = excitation(plant, functions, regression) else { return Ok(Vec::new()) };
+    let name = |i: usize| &plant.unknowns[functions.unknowns[i]].label;
+    let root = |share: f64| short(deadbeat_math::sqrt_f64(share));
+    let until = trimmed(found.until);
+    if found.exciting == 0 {
+        let (weakest, singular) = found.weakest;
+        let message =
+            format!("no window tells the unknown `{}` apart from the state and the other unknowns", name(weakest).name);
+        let label = format!(
+            "{} of what it shows is its own; smallest singular value of the scaled Schur complement {singular:.1e}",
+            root(found.share.1)
+        );
+        let error = Diagnostic::error(codes::UNOBSERVABLE, name(weakest).span.clone(), message);
+        let help = format!(
+            "a longer window, another output, or a smaller `excitation` ({} windows until {until} s were tried)",
+            found.windows
+        );
+        return Err(vec![error.label(label).measured(singular).help(help)]);
+    }
+    let names: Vec<&str> = found.unknowns.iter().map(|i| name(*i).name.as_str()).collect();
+    let mut notes = vec![match found.first_failure {
+        None => format!(
+            "{} of time alone: every one of {} windows until {until} s excites, by at least {}",
+            List(&names),
+            found.windows,
+            root(found.share.0)
+        ),
+        Some(at) => format!(
+            "{} of time alone: {} of {} windows until {until} s excite; the first that does not ends at {} s",
+            List(&names),
+            found.exciting,
+            found.windows,
+            trimmed(at)
+        ),
+    }];
+    for (o, output) in plant.outputs.iter().enumerate() {
+        let Some(gains) = &found.gains else { continue };
+        let list: Vec<String> = plant
+            .states
+            .iter()
+            .zip(gains)
+            .map(|(state, gain)| format!("{} {}", state.label.name, short(gain[o])))
+            .collect();
+        notes.push(format!("largest gain from noise of {} over these: {}", output.label.name, list.join(", ")));
+    }
+    Ok(notes)
 }
 
 fn summary(plant: &Plant, steps: usize) -> String {
