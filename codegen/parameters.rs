@@ -8,3 +8,5 @@
 pub mod augment;
 pub mod functions;
 pub mod identifiable;
+pub mod paper;
+pub mod stages;

@@ -50,7 +50,7 @@ struct Needs {
 }
 
 /// Functions of time, each with its derivative.
-type System = BTreeMap<Monomial, BTreeMap<Monomial, Constant>>;
+pub(super) type System = BTreeMap<Monomial, BTreeMap<Monomial, Constant>>;
 
 /// An augmented plant with an injection, of no effect of its own, for every function of its gammas.
 pub fn with_functions(mut plant: Plant) -> Result<Plant, Vec<Diagnostic>> {
@@ -166,7 +166,7 @@ impl Needs {
 }
 
 /// gamma as monomials that vary times constant columns.
-fn monomials(unknown: &Unknown, n: usize) -> BTreeMap<Monomial, Vec<Constant>> {
+pub(super) fn monomials(unknown: &Unknown, n: usize) -> BTreeMap<Monomial, Vec<Constant>> {
     let mut columns: BTreeMap<Monomial, Vec<Poly>> = BTreeMap::new();
     for (i, entry) in unknown.gamma.iter().enumerate() {
         for (monomial, coefficient) in entry.terms() {
@@ -206,7 +206,7 @@ fn fewest(lines: Vec<(Monomial, Vec<Constant>)>) -> Vec<(Poly, Vec<Constant>)> {
 
 /// All functions that a function of time and its derivatives are made of, each with its derivative; `None`
 /// when they are many, or it depends on more than time.
-fn closure(start: &Monomial) -> Option<System> {
+pub(super) fn closure(start: &Monomial) -> Option<System> {
     if start.symbols().iter().any(|symbol| *symbol != Symbol::Time) {
         return None;
     }

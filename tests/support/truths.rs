@@ -18,6 +18,7 @@ pub fn truth(name: &str) -> Option<Truth> {
         "pendulum" => pendulum(),
         "thermal_stack" => thermal_stack(),
         "two_mass_drive" => two_mass_drive(),
+        "unknown_discrete" => unknown_discrete(),
         "unknown_force" => unknown_force(),
         "unknown_force_network" => unknown_force_network(),
         _ => return None,
@@ -232,5 +233,21 @@ fn unknown_force_network() -> Truth {
         start: vec![(1.0, 1.5), (-1.0, 1.0), (-3.0, 3.0), (-3.0, 3.0), (-3.0, 3.0), (-3.0, 3.0)],
         input: vec![(-2.0, 2.0)],
         exact: false,
+    }
+}
+
+fn unknown_discrete() -> Truth {
+    Truth {
+        discrete: true,
+        change: Box::new(|_, x, u| {
+            let (level, shown, leak) = (x[0], x[1], x[2]);
+            vec![0.98 * level + 0.05 * u[0] - leak, 0.3 * level + 0.7 * shown, leak]
+        }),
+        outputs: Box::new(|x| vec![x[1]]),
+        delays: vec![0.0],
+        holds: vec![Hold::Zero],
+        start: vec![(0.5, 2.0), (0.5, 2.0), (0.0, 0.02)],
+        input: vec![(0.0, 2.0)],
+        exact: true,
     }
 }
