@@ -21,7 +21,7 @@ use std::fmt::Write as _;
 use deadbeat_codegen::program::{Scalar, Status};
 use deadbeat_codegen::{Generated, Generator, Settings, diagnostic::codes};
 use nalgebra::{DMatrix, DVector};
-use plant::{Answers, Hold, NOTHING_YET, Random, Run, UNIT, matrix, rounding};
+use plant::{Answers, Hold, NOTHING_YET, Random, Run, UNIT, exponential, matrix, rounding};
 use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestRng, TestRunner};
 
 /// Plants that are tried.
@@ -186,16 +186,6 @@ impl Linear {
         let step = through.iter().map(|t| roundings * t + exponential * total).collect();
         (run, step)
     }
-}
-
-/// The exponential: halved until its norm is below 1/2, twenty terms of the series, squared again.
-fn exponential(matrix: &DMatrix<f64>) -> DMatrix<f64> {
-    let norm = matrix.row_iter().map(|row| row.iter().map(|x| x.abs()).sum::<f64>()).fold(0.0, f64::max);
-    let halvings = (0..60).find(|s| norm * 0.5_f64.powi(*s) < 0.5).unwrap();
-    let small = matrix * 0.5_f64.powi(halvings);
-    let identity = DMatrix::identity(matrix.nrows(), matrix.nrows());
-    let sum = (1..=20).rev().fold(identity.clone(), |sum, k| &identity + &small * sum / f64::from(k));
-    (0..halvings).fold(sum, |power, _| &power * &power)
 }
 
 fn or_zero(text: String) -> String {
