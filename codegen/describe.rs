@@ -178,6 +178,9 @@ fn costs(generated: &Generated) -> Vec<String> {
 /// Gains and bounds as a table: a column per state.
 fn certificate(generated: &Generated) -> Vec<String> {
     let (plant, certificate) = (&generated.plant, &generated.design.certificate);
+    if certificate.noise_gain_l1.is_empty() {
+        return vec!["  no gains from noise: they depend on how far the signals excite the unknowns".into()];
+    }
     let mut rows: Vec<Vec<String>> = vec![
         std::iter::once(String::new()).chain(plant.states.iter().map(|s| s.label.name.clone())).collect(),
         std::iter::once("unit".to_owned()).chain(plant.states.iter().map(|s| s.label.unit.clone())).collect(),
@@ -205,7 +208,10 @@ fn certificate(generated: &Generated) -> Vec<String> {
     if !bounded && plant.outputs.iter().all(|o| o.noise.is_some()) {
         lines.push("  no error bound: the slope of a nonlinear term is not bounded over the declared ranges".into());
     }
-    if !plant.discrete && plant.injections.iter().any(|i| i.symbols().iter().any(|s| !matches!(s, Symbol::Input(_)))) {
+    let enters = |i: &&crate::plant::Injection| i.column.iter().any(|entry| !entry.is_zero());
+    if !plant.discrete
+        && plant.injections.iter().filter(enters).any(|i| i.symbols().iter().any(|s| !matches!(s, Symbol::Input(_))))
+    {
         let course = match generated.design.shape.between() {
             Between::Lines | Between::Steps => "straight lines between samples, second order in the sample time",
             Between::Cubics => "cubics between samples, fourth order in the sample time",

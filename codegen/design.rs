@@ -8,6 +8,7 @@ use crate::diagnostic::Diagnostic;
 use crate::plant::Plant;
 use crate::program::{Program, Scalar};
 use crate::real::Real;
+use crate::regression::{self, Regression};
 use crate::window::model::Between;
 use crate::window::{self, Functional, Part};
 
@@ -153,6 +154,8 @@ pub struct Design {
 pub enum Shape {
     /// A functional over the last N samples.
     Window(Functional),
+    /// A regression over the last N samples.
+    Regression(Box<Regression>),
 }
 
 impl Shape {
@@ -160,7 +163,7 @@ impl Shape {
     pub fn between(&self) -> Between {
         match self {
             Self::Window(functional) if functional.signals.iter().any(|s| s.part == Part::Curves) => Between::Cubics,
-            Self::Window(_) => Between::Lines,
+            Self::Window(_) | Self::Regression(_) => Between::Lines,
         }
     }
 }
@@ -170,6 +173,7 @@ impl Design {
     pub fn lower(&self, plant: &Plant) -> Result<Program, Vec<Diagnostic>> {
         match &self.shape {
             Shape::Window(functional) => window::lower::lower(plant, functional),
+            Shape::Regression(regression) => regression::lower::lower(plant, regression),
         }
     }
 }

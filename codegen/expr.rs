@@ -8,6 +8,7 @@ pub mod bounds;
 pub mod node;
 pub mod parse;
 pub mod poly;
+pub mod value;
 
 pub use node::{Meaning, Names, Node, NodeKind, resolve};
 pub use poly::{Atom, Constant, Monomial, Poly};

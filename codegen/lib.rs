@@ -14,9 +14,11 @@ pub mod diagnostic;
 pub mod emit;
 pub mod expr;
 pub mod method;
+pub mod parameters;
 pub mod plant;
 pub mod program;
 pub mod real;
+pub mod regression;
 pub mod spec;
 pub mod window;
 

@@ -42,7 +42,7 @@ pub use exponential::{NormTooLarge, exponential, first_order_hold, third_order_h
 pub use gramian::gramian;
 pub use matrix::Matrix;
 pub use number::{Precision, Real};
-pub use orthogonal::{RankDeficient, least_squares, pseudo_inverse};
+pub use orthogonal::{RankDeficient, least_squares, orthonormal, pseudo_inverse};
 pub use singular::{Rank, condition, rank, singular_values};
 pub use solve::{Singular, determinant, inverse, solve};
 

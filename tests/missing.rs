@@ -19,7 +19,7 @@ use deadbeat_codegen::Generated;
 use deadbeat_codegen::program::interp::Interpreter;
 use deadbeat_codegen::program::{Scalar, Status};
 use plant::{
-    Answers, Hold, Random, Run, Truth, UNIT, at_sample_time, corpus, designed, designed_in, edited, functional,
+    Answers, Hold, Random, Run, Truth, UNIT, at_sample_time, corpus, delays, designed, designed_in, edited, functional,
 };
 use plant::{integration_rounding, matrix, rounding};
 use truths::{inverted_cart, late_position, names, truth};
@@ -70,7 +70,7 @@ fn coasting_lasts_while_the_window_holds_a_prediction() {
         let steps = generated.design.valid_from_step;
         let run = truth.run(generated.plant.sample_time_s(), 1, 3 * steps + 20, 4);
         for output in 0..truth.delays.len() {
-            let delay = functional(&generated).delays[output];
+            let delay = delays(&generated)[output];
             let (first, last) = (steps + 10, steps + 12);
             let answers = without(&run, |call, o| (call == first || call == last) && o == output).through(&generated);
             assert_statuses(&format!("{name}, output {output}"), &answers, |call| match call {

@@ -90,7 +90,7 @@ fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
 }
 
 /// Bits at which observability is judged; a tolerance of half of them is far from any rounding.
-const VERDICT_BITS: usize = 256;
+pub(super) const VERDICT_BITS: usize = 256;
 /// Bits at which the window itself is judged, until its rank is full: growing modes need more.
 const VERDICTS: [usize; 3] = [VERDICT_BITS, 1_024, 4_096];
 
@@ -221,7 +221,7 @@ pub(super) fn refuse_unknowns(plant: &Plant, method: &str) -> Vec<Diagnostic> {
 }
 
 /// Whole samples of delay, per output.
-fn delays(plant: &Plant, found: &mut Vec<Diagnostic>) -> Option<Vec<usize>> {
+pub(super) fn delays(plant: &Plant, found: &mut Vec<Diagnostic>) -> Option<Vec<usize>> {
     let delays: Vec<Option<usize>> = plant
         .outputs
         .iter()
@@ -235,7 +235,7 @@ fn delays(plant: &Plant, found: &mut Vec<Diagnostic>) -> Option<Vec<usize>> {
     delays.into_iter().collect()
 }
 
-fn refuse_long_delays(
+pub(super) fn refuse_long_delays(
     plant: &Plant,
     delays: &[usize],
     steps: usize,
@@ -362,7 +362,7 @@ fn unobservable(plant: &Plant, rows: &Matrix, values: &[f64]) -> Diagnostic {
         .help(format!("measure {} as well, or leave the part that no output shows out of the model", one_of(&names)))
 }
 
-fn one_of(names: &[&str]) -> String {
+pub(super) fn one_of(names: &[&str]) -> String {
     match names {
         [one] => format!("`{one}`"),
         _ => format!("one of {}", List(names)),
@@ -389,7 +389,7 @@ pub(super) fn time_warning(plant: &Plant) -> Option<Diagnostic> {
     )
 }
 
-fn constants(model: &Model) -> Vec<NamedMatrix> {
+pub(super) fn constants(model: &Model) -> Vec<NamedMatrix> {
     vec![NamedMatrix { letter: "Phi", rows: model.phi.to_f64() }, NamedMatrix { letter: "C", rows: model.c.to_f64() }]
 }
 

@@ -154,6 +154,36 @@ pub fn least_squares(a: &Matrix, b: &Matrix) -> Result<Matrix, RankDeficient> {
     Ok(x.with_precision(p))
 }
 
+/// `(Q, R^-1)` with `a = Q R`: Q is `n x k` with orthonormal columns, R `k x k` upper triangular, for a
+/// matrix of full column rank, `n >= k`. Accuracy as that of [`pseudo_inverse`].
+///
+/// # Errors
+/// [`RankDeficient`] if a column depends on those before it to the precision of `a`.
+///
+/// # Panics
+/// If there are more columns than rows.
+pub fn orthonormal(a: &Matrix) -> Result<(Matrix, Matrix), RankDeficient> {
+    let p = a.precision();
+    let working = p.plus(GUARD);
+    let (n, k) = (a.rows(), a.cols());
+    let (factors, shifts) = factored(a, p, working)?;
+    let unit = |j: usize, len: usize| -> Vec<Real> {
+        (0..len).map(|i| if i == j { Real::one(working) } else { Real::zero(working) }).collect()
+    };
+    let (mut basis, mut inverse) = (Vec::with_capacity(k), Vec::with_capacity(k));
+    for j in 0..k {
+        let mut column = unit(j, n);
+        factors.reflect_back(&mut column);
+        basis.push(column);
+        let mut column = unit(j, k);
+        factors.back_substitute(&mut column);
+        inverse.push(column);
+    }
+    let basis = Matrix::from_fn(n, k, |i, j| basis[j][i].clone());
+    let inverse = Matrix::from_fn(k, k, |i, j| inverse[j][i].shifted(shifts[i]));
+    Ok((basis.with_precision(p), inverse.with_precision(p)))
+}
+
 /// The pseudo-inverse of an `n x k` matrix of full column rank, `n >= k`: the `k x n` matrix
 /// `R^-1 Q'`. The error is about the condition number of the equilibrated matrix times
 /// `2^-(p+32)`, plus the final rounding.
@@ -191,6 +221,17 @@ pub fn pseudo_inverse(a: &Matrix) -> Result<Matrix, RankDeficient> {
 mod tests {
     use super::super::matrix::tests::{arbitrary, distance, fractions};
     use super::*;
+
+    #[test]
+    fn an_orthonormal_basis_times_its_factor_is_the_matrix() {
+        let p = Precision::bits(150);
+        let a = arbitrary(9, 4, p);
+        let awkward = Matrix::from_fn(9, 4, |i, j| a[(i, j)].shifted(30 * j as i64 - 40));
+        let (basis, inverse) = orthonormal(&awkward).unwrap();
+        assert!(distance(&(&basis.transpose() * &basis), &Matrix::identity(4, p)) < -140.0);
+        assert!(distance(&(&awkward * &inverse), &basis) < -140.0);
+        assert_eq!(orthonormal(&a.hcat(&a)).unwrap_err().column, 4);
+    }
 
     #[test]
     fn the_pseudo_inverse_satisfies_moore_and_penrose() {

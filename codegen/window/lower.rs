@@ -9,11 +9,11 @@
 
 mod cells;
 mod count;
-mod guard;
-mod injections;
+pub(crate) mod guard;
+pub(crate) mod injections;
 mod irregular;
 pub(crate) mod normal;
-mod predict;
+pub(crate) mod predict;
 mod report;
 mod sample;
 mod sums;
@@ -26,11 +26,14 @@ use crate::program::{Field, Program, Value};
 
 use super::Functional;
 use cells::Cells;
-use guard::Guard;
+use count::settled;
+use guard::{Growth, Guard};
+use predict::Unknowns;
+pub(crate) use report::Standing;
 
 /// Lowers a functional for its plant; constants that the target's floats cannot hold are reported.
 pub fn lower(plant: &Plant, functional: &Functional) -> Result<Program, Vec<Diagnostic>> {
-    let guard = Guard::new(plant, functional)?;
+    let guard = Guard::new(plant, functional, Growth::default())?;
     injections::check(plant)?;
     let mut lowering = Lowering::new(plant, functional, guard);
     lowering.step();
@@ -38,9 +41,9 @@ pub fn lower(plant: &Plant, functional: &Functional) -> Result<Program, Vec<Diag
 }
 
 /// What the first half of a step finds out.
-struct Sampled {
+pub(crate) struct Sampled {
     /// Slot of age 0.
-    newest: Value,
+    pub(crate) newest: Value,
     /// Whether everything sampled now was good.
     samples_good: Value,
     /// Whether everything since the last call was good.
@@ -59,16 +62,20 @@ struct Sampled {
     present: Vec<Value>,
 }
 
-struct Lowering<'a> {
-    plant: &'a Plant,
+/// A step being written.
+pub(crate) struct Lowering<'a> {
+    pub(crate) plant: &'a Plant,
     functional: &'a Functional,
-    guard: Guard,
-    builder: Builder,
-    cells: Cells,
+    pub(crate) guard: Guard,
+    pub(crate) builder: Builder,
+    pub(crate) cells: Cells,
+    /// Unknown constants that the step finds by a regression of its own.
+    pub(crate) unknowns: Option<Unknowns>,
 }
 
 impl<'a> Lowering<'a> {
-    fn new(plant: &'a Plant, functional: &'a Functional, guard: Guard) -> Self {
+    /// Declares the interface and the cells.
+    pub(crate) fn new(plant: &'a Plant, functional: &'a Functional, guard: Guard) -> Self {
         let mut builder =
             Builder::new(&plant.name, plant.scalar, injections::round(&plant.sample_time.0, plant.scalar));
         let cells = cells::declare(&mut builder, plant, functional);
@@ -78,10 +85,11 @@ impl<'a> Lowering<'a> {
         for input in &plant.inputs {
             builder.input(field(&input.label.name, &input.label.unit, &input.label.doc));
         }
-        Self { plant, functional, guard, builder, cells }
+        Self { plant, functional, guard, builder, cells, unknowns: None }
     }
 
-    fn constant(&mut self, value: Settled) -> Value {
+    /// A constant of the design.
+    pub(crate) fn constant(&mut self, value: Settled) -> Value {
         self.builder.float(value.value(self.plant.scalar))
     }
 
@@ -92,27 +100,32 @@ impl<'a> Lowering<'a> {
         if let Some(irregular) = &self.functional.irregular {
             let full = self.counted(count, self.window());
             let answer = self.irregular(irregular, &sampled, full);
-            self.report_irregular(&answer, &sampled);
+            self.builder.section("the estimate; until there is one, the start");
+            let (known, renewed) = (answer.usable, Some(answer.enough));
+            self.report(&answer.estimate, &sampled, &Standing { known, determined: known, renewed });
             return;
         }
         let rings = (self.cells.outputs.as_slice(), self.cells.signals.as_slice());
         let estimate = sums::estimate(&mut self.builder, self.plant, self.functional, rings, sampled.newest);
         self.look_ahead(&estimate, &sampled);
-        self.report(&estimate, &sampled, count);
+        self.builder.section("the estimate; until the window is full, the start");
+        let known = self.counted(count, self.window());
+        let determined = self.counted(count, settled(self.functional));
+        self.report(&estimate, &sampled, &Standing { known, determined, renewed: None });
     }
 
     /// N+1.
-    fn window(&self) -> u32 {
+    pub(crate) fn window(&self) -> u32 {
         window_len(self.functional)
     }
 
-    fn add_product(&mut self, sum: Value, weight: Settled, value: Value) -> Value {
-        let weight = self.constant(weight);
+    fn add_product(&mut self, sum: Value, weight: Value, value: Value) -> Value {
         let product = self.builder.mul(weight, value);
         self.builder.add(sum, product)
     }
 
-    fn store(&mut self, sampled: &Sampled) {
+    /// Writes what was sampled into the rings.
+    pub(crate) fn store(&mut self, sampled: &Sampled) {
         self.builder.section("into the window");
         self.builder.set(self.cells.newest, sampled.newest);
         for (ring, value) in self.cells.outputs.iter().zip(&sampled.outputs) {
@@ -132,12 +145,12 @@ impl<'a> Lowering<'a> {
 }
 
 /// N+1.
-fn window_len(functional: &Functional) -> u32 {
+pub(crate) fn window_len(functional: &Functional) -> u32 {
     u32::try_from(functional.steps + 1).unwrap_or_else(|_| unreachable!("the window's length is bounded"))
 }
 
 /// Samples that a late output's predictions wait for.
-fn late_len(functional: &Functional, output: usize) -> u32 {
+pub(crate) fn late_len(functional: &Functional, output: usize) -> u32 {
     u32::try_from(functional.delays[output]).unwrap_or_else(|_| unreachable!("delays are bounded"))
 }
 

@@ -181,7 +181,7 @@ pub fn trust(plant: &Plant, precision: Precision) -> Vec<Real> {
 }
 
 /// A discrete plant uses the value at the beginning of its step.
-fn discrete_effect(part: Part, column: Matrix) -> Effect {
+pub(crate) fn discrete_effect(part: Part, column: Matrix) -> Effect {
     match part {
         Part::Held | Part::Start => Effect { at_end: Some(column), ..Effect::default() },
         Part::Runs | Part::Curves => Effect { at_begin: Some(column), ..Effect::default() },

@@ -149,6 +149,7 @@ impl Pass {
         Weights { first, columns: coarse.iter().zip(fine).map(|(c, f)| self.group(c, f)).collect() }
     }
 
+    /// Rounds a prediction.
     pub(crate) fn prediction(&mut self, coarse: &ExactPrediction, fine: &ExactPrediction) -> Prediction {
         let states = self.each(&coarse.states, &fine.states);
         let held = self.each(&coarse.held, &fine.held);

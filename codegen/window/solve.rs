@@ -15,6 +15,7 @@ use crate::real::{Matrix, Precision, RankDeficient, Real, pseudo_inverse};
 
 use super::model::{Effect, Model};
 use super::{Part, Signal, minimax};
+use crate::parameters::stages::Stages;
 
 /// Which of the unbiased weights are taken.
 #[derive(Clone, Debug)]
@@ -23,6 +24,8 @@ pub enum Choice {
     LeastSquares,
     /// The smallest gain from bounded noise; per state the rows that carry its weights.
     Rows(Vec<Vec<usize>>),
+    /// 002's two stages.
+    Stages(Stages),
 }
 
 /// All numbers of a functional, before they are rounded.
@@ -95,7 +98,15 @@ impl Exact {
         let powers = output_powers(&model, steps);
         let (observability, rows) = observability(&powers, delays);
         let trust: Vec<Real> = rows.iter().map(|(_, output)| model.trust[*output].clone()).collect();
-        let weights = choose(choice, &observability, &trust, &model.phi.powi(steps as u64))?;
+        let through = model.phi.powi(steps as u64);
+        let weights = match choice {
+            Choice::LeastSquares => least_squares(&observability, &trust, &through)?,
+            Choice::Rows(chosen) => smallest_gain(chosen, &observability, &through)?,
+            Choice::Stages(stages) => {
+                let by_age = stages.weights(&model).map_err(|error| RankDeficient { column: error.column })?;
+                Matrix::from_fn(n, rows.len(), |i, r| by_age[rows[r].0 - delays[rows[r].1]].get(i, 0).clone())
+            }
+        };
         let mut by_age = vec![Matrix::zeros(n, delays.len(), p); steps + 1];
         for (place, (age, output)) in rows.iter().enumerate() {
             for i in 0..n {
@@ -155,14 +166,13 @@ pub fn trusted(rows: &Matrix, trust: &[Real]) -> Matrix {
 }
 
 /// The weights by state and row.
-fn choose(choice: &Choice, observability: &Matrix, trust: &[Real], through: &Matrix) -> Result<Matrix, RankDeficient> {
-    let rows = match choice {
-        Choice::LeastSquares => {
-            let inverse = pseudo_inverse(&trusted(observability, trust))?;
-            return Ok(through * &trusted(&inverse.transpose(), trust).transpose());
-        }
-        Choice::Rows(rows) => rows,
-    };
+fn least_squares(observability: &Matrix, trust: &[Real], through: &Matrix) -> Result<Matrix, RankDeficient> {
+    let inverse = pseudo_inverse(&trusted(observability, trust))?;
+    Ok(through * &trusted(&inverse.transpose(), trust).transpose())
+}
+
+/// Likewise, from the rows that carry them.
+fn smallest_gain(rows: &[Vec<usize>], observability: &Matrix, through: &Matrix) -> Result<Matrix, RankDeficient> {
     let (n, p) = (through.rows(), through.precision());
     let mut weights = Matrix::zeros(n, observability.rows(), p);
     for (i, chosen) in rows.iter().enumerate() {

@@ -16,6 +16,7 @@ use deadbeat_codegen::program::Status;
 use deadbeat_codegen::program::interp::Interpreter;
 use deadbeat_codegen::window::{Functional, Source};
 use deadbeat_codegen::{Generated, Generator, Settings};
+use nalgebra::DMatrix;
 
 /// Half the distance from 1 to the next double: the relative error of one rounding.
 pub const UNIT: f64 = f64::EPSILON / 2.0;
@@ -83,6 +84,16 @@ pub fn at_sample_time(text: &str, sample_time: f64) -> String {
 pub fn edited(text: &str, from: &str, to: &str) -> String {
     assert!(text.contains(from), "`{from}` is not in the specification");
     text.replace(from, to)
+}
+
+/// The exponential: halved until its norm is below 1/2, twenty terms of the series, squared again.
+pub fn exponential(matrix: &DMatrix<f64>) -> DMatrix<f64> {
+    let norm = matrix.row_iter().map(|row| row.iter().map(|x| x.abs()).sum::<f64>()).fold(0.0, f64::max);
+    let halvings = (0..60).find(|s| norm * 0.5_f64.powi(*s) < 0.5).unwrap();
+    let small = matrix * 0.5_f64.powi(halvings);
+    let identity = DMatrix::identity(matrix.nrows(), matrix.nrows());
+    let sum = (1..=20).rev().fold(identity.clone(), |sum, k| &identity + &small * sum / f64::from(k));
+    (0..halvings).fold(sum, |power, _| &power * &power)
 }
 
 /// x(t + h) of x' = rhs(t, x): the modified midpoint rule, extrapolated to order 16.
@@ -279,8 +290,18 @@ fn largest<'a>(rows: impl Iterator<Item = &'a Vec<f64>>) -> Vec<f64> {
 
 /// The functional of a window design.
 pub fn functional(generated: &Generated) -> &Functional {
-    let Shape::Window(functional) = &generated.design.shape;
-    functional
+    match &generated.design.shape {
+        Shape::Window(functional) => functional,
+        Shape::Regression(_) => panic!("{} has no constant weights", generated.plant.name),
+    }
+}
+
+/// Whole samples of delay, per output.
+pub fn delays(generated: &Generated) -> &[usize] {
+    match &generated.design.shape {
+        Shape::Window(functional) => &functional.delays,
+        Shape::Regression(regression) => &regression.carrier.delays,
+    }
 }
 
 /// A matrix of the design by its letter.

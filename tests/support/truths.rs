@@ -20,6 +20,9 @@ pub fn truth(name: &str) -> Option<Truth> {
         "pendulum" | "pendulum_single_delay" => pendulum(),
         "thermal_stack" => thermal_stack(),
         "two_mass_drive" => two_mass_drive(),
+        "unknown_discrete" => unknown_discrete(),
+        "unknown_force" => unknown_force(),
+        "unknown_force_network" => unknown_force_network(),
         _ => return None,
     })
 }
@@ -205,5 +208,66 @@ fn two_mass_drive() -> Truth {
         start: vec![(-0.5, 0.5), (-0.5, 0.5), (-10.0, 10.0), (-10.0, 10.0)],
         input: vec![(-5.0, 5.0)],
         exact: false,
+    }
+}
+
+/// The unknowns are the last two states; they stay.
+fn unknown_force() -> Truth {
+    Truth {
+        discrete: false,
+        change: Box::new(|_, x, u| {
+            let (speed, current, load, offset) = (x[1], x[2], x[3], x[4]);
+            vec![
+                speed,
+                15.0 * current - speed + load,
+                40.0 * (u[0] + offset) - 36.4 * speed - 200.0 * current,
+                0.0,
+                0.0,
+            ]
+        }),
+        outputs: Box::new(|x| vec![x[0], x[2]]),
+        delays: vec![0.0; 2],
+        holds: vec![Hold::Zero],
+        start: vec![(-1.0, 1.0), (-3.0, 3.0), (-1.0, 1.0), (-20.0, 20.0), (-2.0, 2.0)],
+        input: vec![(-10.0, 10.0)],
+        exact: true,
+    }
+}
+
+/// Moving enough for its window to excite every unknown: it starts far from where the spring holds it.
+fn unknown_force_network() -> Truth {
+    let bump = |x: f64| (-(x / 0.4) * (x / 0.4)).exp();
+    Truth {
+        discrete: false,
+        change: Box::new(move |t, x, u| {
+            let (position, weights) = (x[0], &x[2..]);
+            let field = weights[0] * bump(position + 0.5)
+                + weights[1] * bump(position)
+                + weights[2] * bump(position - 0.5)
+                + weights[3] * (3.0 * t).sin();
+            vec![x[1], -40.0 * position + u[0] + field, 0.0, 0.0, 0.0, 0.0]
+        }),
+        outputs: Box::new(|x| vec![x[0]]),
+        delays: vec![0.0],
+        holds: vec![Hold::Zero],
+        start: vec![(1.0, 1.5), (-1.0, 1.0), (-3.0, 3.0), (-3.0, 3.0), (-3.0, 3.0), (-3.0, 3.0)],
+        input: vec![(-2.0, 2.0)],
+        exact: false,
+    }
+}
+
+fn unknown_discrete() -> Truth {
+    Truth {
+        discrete: true,
+        change: Box::new(|_, x, u| {
+            let (level, shown, leak) = (x[0], x[1], x[2]);
+            vec![0.98 * level + 0.05 * u[0] - leak, 0.3 * level + 0.7 * shown, leak]
+        }),
+        outputs: Box::new(|x| vec![x[1]]),
+        delays: vec![0.0],
+        holds: vec![Hold::Zero],
+        start: vec![(0.5, 2.0), (0.5, 2.0), (0.0, 0.02)],
+        input: vec![(0.0, 2.0)],
+        exact: true,
     }
 }

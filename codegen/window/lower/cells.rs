@@ -10,11 +10,11 @@ use super::irregular::Memory;
 use super::{injections, late_len, window_len};
 
 /// The cells of a window method.
-pub(super) struct Cells {
+pub(crate) struct Cells {
     /// Per output: samples by slot.
-    pub(super) outputs: Vec<CellId>,
+    pub(crate) outputs: Vec<CellId>,
     /// Per signal: values by slot.
-    pub(super) signals: Vec<CellId>,
+    pub(crate) signals: Vec<CellId>,
     /// Per input: the last good value, where no ring holds it.
     pub(super) inputs: Vec<CellId>,
     /// Slot of age 0.

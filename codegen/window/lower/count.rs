@@ -7,11 +7,10 @@ use super::{Lowering, Sampled, late_len, window_len};
 
 impl Lowering<'_> {
     /// Good samples in a row, or how the window starts again.
-    pub(super) fn count(&mut self, sampled: &Sampled) -> Value {
-        let window = self.window();
+    pub(crate) fn count(&mut self, sampled: &Sampled) -> Value {
         self.builder.section("how much of the window is good");
         let before = self.builder.read(self.cells.count);
-        let converged = self.counted(before, window);
+        let converged = self.had_converged(before, 1);
         let (none, one) = (self.builder.index(0), self.builder.index(1));
         let more = self.builder.count_up(before, longest_count(self.functional));
         let kept = self.builder.select(sampled.lost, none, more);
@@ -24,9 +23,18 @@ impl Lowering<'_> {
     }
 
     /// Whether the count has come to so many calls.
-    pub(super) fn counted(&mut self, count: Value, calls: u32) -> Value {
+    pub(crate) fn counted(&mut self, count: Value, calls: u32) -> Value {
         let below = self.builder.index(calls - 1);
         self.builder.index_less(below, count)
+    }
+
+    /// Whether the estimate of so many calls ago had converged, by the counts before this call.
+    pub(super) fn had_converged(&mut self, count: Value, ago: u32) -> Value {
+        let full = self.counted(count, self.window() - 1 + ago);
+        let Some(found) = self.unknowns.as_ref().map(|unknowns| unknowns.found) else { return full };
+        let found = self.builder.read(found);
+        let found = self.counted(found, ago);
+        self.builder.and(full, found)
     }
 
     /// Calls until no replaced sample is in the window.

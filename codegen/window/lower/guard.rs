@@ -24,18 +24,28 @@ pub struct Guard {
     pub injections: Vec<bool>,
 }
 
+/// What else a step computes from samples: the largest sums, for samples of magnitude 1.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Growth {
+    /// Of samples.
+    pub linear: f64,
+    /// Of products of two samples.
+    pub square: f64,
+}
+
 impl Guard {
     /// Finds the bound; a weight or range that the target's floats cannot hold is an error.
-    pub fn new(plant: &Plant, functional: &Functional) -> Result<Self, Vec<Diagnostic>> {
+    pub fn new(plant: &Plant, functional: &Functional, growth: Growth) -> Result<Self, Vec<Diagnostic>> {
         refuse_lost_weights(plant, functional)?;
-        let gain = largest_gain(plant, functional);
+        let gain = largest_gain(plant, functional).max(growth.linear);
         let (largest, exponents) = match plant.scalar {
             Scalar::F32 => (f64::from(f32::MAX), 0..=37),
             Scalar::F64 => (f64::MAX, 0..=307),
         };
         let powers = exponents.rev().map(|e| format!("1e{e}").parse::<f64>().unwrap_or(1.0));
-        let bound = powers.map(|b| plant.scalar_value(b)).find(|b| b * 16.0 * gain <= largest);
+        let bound = powers.map(|b| plant.scalar_value(b)).find(|b| 16.0 * b * (gain + b * growth.square) <= largest);
         let Some(bound) = bound else {
+            let gain = gain.max(growth.square);
             let message = format!("the gains, up to {gain:.1e}, are too large for {}", plant.scalar);
             let error = Diagnostic::error(codes::OUT_OF_RANGE, plant.span.clone(), message).measured(gain);
             let help = match plant.scalar {

@@ -7,6 +7,28 @@ use crate::program::Value;
 
 use super::super::Part;
 use super::{Lowering, late_len};
+use crate::design::Settled;
+use crate::program::CellId;
+
+/// Unknown constants that the step finds by a regression of its own.
+pub(crate) struct Unknowns {
+    /// Calls in a row since which they are known, at most as many as a late output waits.
+    pub(crate) found: CellId,
+    /// Per unknown: its last good value, in the regression's own units.
+    pub(crate) values: Vec<CellId>,
+    /// Per output, signal and unknown: what [`super::super::Prediction`] has per signal, for a unit of the unknown.
+    pub(crate) held: Vec<Vec<Vec<Option<Settled>>>>,
+    /// Likewise, of the end of the step alone.
+    pub(crate) end: Vec<Vec<Vec<Option<Settled>>>>,
+}
+
+/// What a signal's value counts in an output's prediction.
+pub(super) enum Factor {
+    /// A constant.
+    Fixed(Settled),
+    /// Unknowns, each with a constant.
+    Believed(Vec<(CellId, Settled)>),
+}
 
 impl Lowering<'_> {
     /// What an output should measure now, with the signals that are known before the sample is.
@@ -18,17 +40,52 @@ impl Lowering<'_> {
         }
         let mut sum = self.builder.read(self.cells.ahead[output]);
         for (s, value) in signals.iter().enumerate() {
-            let prediction = &self.functional.prediction[output];
             let weight = match self.functional.signals[s].part {
                 // For a start also its end's share, as long as the end is not known.
-                Part::Held | Part::Start => prediction.held[s],
+                Part::Held | Part::Start => self.held(output, s),
                 Part::Runs | Part::Curves | Part::End => None,
             };
             if let (Some(value), Some(weight)) = (value, weight) {
+                let weight = self.factor(&weight);
                 sum = self.add_product(sum, weight, *value);
             }
         }
         sum
+    }
+
+    /// What a value counts that is held over the step; of a start, with its end's.
+    pub(super) fn held(&self, output: usize, signal: usize) -> Option<Factor> {
+        let fixed = self.functional.prediction[output].held[signal];
+        fixed.map(Factor::Fixed).or_else(|| self.believed(&self.unknowns.as_ref()?.held[output][signal]))
+    }
+
+    /// What the part of a value counts that stands at the end of the step.
+    fn end(&self, output: usize, signal: usize) -> Option<Factor> {
+        let fixed = self.functional.prediction[output].end[signal];
+        fixed.map(Factor::Fixed).or_else(|| self.believed(&self.unknowns.as_ref()?.end[output][signal]))
+    }
+
+    fn believed(&self, weights: &[Option<Settled>]) -> Option<Factor> {
+        let values = self.unknowns.iter().flat_map(|unknowns| &unknowns.values);
+        let terms: Vec<(CellId, Settled)> = values.zip(weights).filter_map(|(cell, w)| Some((*cell, (*w)?))).collect();
+        (!terms.is_empty()).then_some(Factor::Believed(terms))
+    }
+
+    /// A factor as a value.
+    pub(super) fn factor(&mut self, factor: &Factor) -> Value {
+        let terms = match factor {
+            Factor::Fixed(weight) => return self.constant(*weight),
+            Factor::Believed(terms) => terms,
+        };
+        let products: Vec<Value> = terms
+            .iter()
+            .map(|(cell, weight)| {
+                let weight = self.constant(*weight);
+                let value = self.builder.read(*cell);
+                self.builder.mul(weight, value)
+            })
+            .collect();
+        self.builder.sum(&products)
     }
 
     /// The prediction once the signals that run between samples are known at both ends.
@@ -40,8 +97,9 @@ impl Lowering<'_> {
                 Part::End => signals[s - 1],
                 Part::Held | Part::Start => continue,
             };
-            if let Some(weight) = self.functional.prediction[output].end[s] {
+            if let Some(weight) = self.end(output, s) {
                 let rise = self.builder.sub(signals[s], begin);
+                let weight = self.factor(&weight);
                 sum = self.add_product(sum, weight, rise);
             }
         }

@@ -4,13 +4,21 @@ use crate::design::Settled;
 use crate::program::{Status, Value};
 
 use super::super::Part;
-use super::count::settled;
-use super::irregular::Irregularly;
 use super::{Lowering, Sampled, field, injections, late_len};
+
+/// How far an estimate can be trusted.
+pub(crate) struct Standing {
+    /// Whether there is one; else the start is given.
+    pub(crate) known: Value,
+    /// Whether it has converged.
+    pub(crate) determined: Value,
+    /// Whether it comes from samples, where it may come from the model alone.
+    pub(crate) renewed: Option<Value>,
+}
 
 impl Lowering<'_> {
     /// Keeps what the next prediction needs.
-    pub(super) fn look_ahead(&mut self, estimate: &[Value], sampled: &Sampled) {
+    pub(crate) fn look_ahead(&mut self, estimate: &[Value], sampled: &Sampled) {
         self.builder.section("the next measurement, as far as it is known");
         for o in 0..self.plant.outputs.len() {
             let prediction = self.functional.prediction[o].clone();
@@ -22,8 +30,8 @@ impl Lowering<'_> {
                 }
             }
             for (s, signal) in self.functional.signals.iter().enumerate() {
-                if let (Part::Runs | Part::Curves, Some(weight)) = (signal.part, prediction.held[s]) {
-                    let weight = self.constant(weight);
+                if let (Part::Runs | Part::Curves, Some(weight)) = (signal.part, self.held(o, s)) {
+                    let weight = self.factor(&weight);
                     terms.push(self.builder.mul(weight, sampled.signals[s]));
                 }
             }
@@ -44,43 +52,23 @@ impl Lowering<'_> {
         }
     }
 
-    /// The estimate from the samples that are there, or the start while there is none.
-    pub(super) fn report_irregular(&mut self, answer: &Irregularly, sampled: &Sampled) {
-        self.builder.section("the estimate; until there is one, the start");
+    /// The estimate where it is known, else the start; and how far it can be trusted.
+    pub(crate) fn report(&mut self, estimate: &[Value], sampled: &Sampled, standing: &Standing) {
         for (i, state) in self.plant.states.iter().enumerate() {
             let start = self.start(i, sampled);
-            let value = self.builder.select(answer.usable, answer.estimate[i], start);
+            let value = self.builder.select(standing.known, estimate[i], start);
             self.builder.estimate(field(&state.label.name, &state.label.unit, &state.label.doc), value);
         }
         let coasting = self.builder.read(self.cells.coasting);
         let none = self.builder.index(0);
-        let clean = self.builder.index_equal(coasting, none);
-        let renewed = self.builder.and(answer.enough, clean);
-        self.status(answer.usable, renewed);
-    }
-
-    /// Converged, or coasting where the estimate is not clean, or converging.
-    fn status(&mut self, converged: Value, clean: Value) {
+        let mut clean = self.builder.index_equal(coasting, none);
+        if let Some(renewed) = standing.renewed {
+            clean = self.builder.and(renewed, clean);
+        }
         let statuses = [Status::Converged, Status::Coasting, Status::Converging].map(|s| self.builder.status(s));
         let working = self.builder.select(clean, statuses[0], statuses[1]);
-        let status = self.builder.select(converged, working, statuses[2]);
+        let status = self.builder.select(standing.determined, working, statuses[2]);
         self.builder.report(status);
-    }
-
-    /// The estimate, or the start while the window is not full.
-    pub(super) fn report(&mut self, estimate: &[Value], sampled: &Sampled, count: Value) {
-        self.builder.section("the estimate; until the window is full, the start");
-        let full = self.counted(count, self.window());
-        let converged = self.counted(count, settled(self.functional));
-        for (i, state) in self.plant.states.iter().enumerate() {
-            let start = self.start(i, sampled);
-            let value = self.builder.select(full, estimate[i], start);
-            self.builder.estimate(field(&state.label.name, &state.label.unit, &state.label.doc), value);
-        }
-        let coasting = self.builder.read(self.cells.coasting);
-        let none = self.builder.index(0);
-        let clean = self.builder.index_equal(coasting, none);
-        self.status(converged, clean);
     }
 
     /// Measured states from the newest sample, the others their `initial`.

@@ -21,13 +21,13 @@ struct Signals<'a> {
 
 impl<'a> Lowering<'a> {
     /// Reads, guards, predicts and evaluates.
-    pub(super) fn sample(&mut self) -> Sampled {
+    pub(crate) fn sample(&mut self) -> Sampled {
         let window = self.window();
         self.builder.section("samples: outside its range, infinite or NaN means missing");
         let before = self.builder.read(self.cells.newest);
         let before = self.builder.at_most(before, window - 1);
         let count = self.builder.read(self.cells.count);
-        let converged = self.counted(count, window);
+        let converged = self.had_converged(count, 1);
         let outputs = self.plant.outputs.len();
         let (measured, good): (Vec<Value>, Vec<Value>) = (0..outputs).map(|o| self.read_output(o)).unzip();
         let mut signals = self.read_signals(before);
@@ -57,7 +57,7 @@ impl<'a> Lowering<'a> {
                 let (low, high) = self.guard.outputs[o];
                 let sane = self.builder.in_range(refined, low, high);
                 // A late sample is predicted from an estimate of some calls ago, which must have converged.
-                let known = self.counted(count, window - 1 + late_len(self.functional, o).max(1));
+                let known = self.had_converged(count, late_len(self.functional, o).max(1));
                 let usable = self.builder.and(known, sane);
                 let instead = self.builder.select(usable, refined, last[o]);
                 let covered = self.builder.or(good[o], usable);

@@ -1,0 +1,188 @@
+//! `[observer.parameters]`: the state and unknown constants together, from the last `window` seconds.
+//!
+//! **Idea.** `x' = A x + ... + sum_i eps_i gamma_i` with unknown constants eps_i. The samples of a window are
+//! linear equations in the state at its start and in the eps_i; solved together by least squares they
+//! give both, exactly, after N+1 samples (`form = "joint"`). Constant gammas give a functional with constant
+//! weights; with gammas that vary the equations are set up and solved in every call ([`regressing`]).
+//!
+//! **Source.** 002 (mazenc-malisoff-2022-parameters-and-states), Theorems 1, 2 and 3, which find the eps_i
+//! in a second stage from the state's first (`form = "paper"`, [`two_stages`]). The joint form is one stage
+//! (window-observers, section 2: one Gramian of the plant and its exosystem contains everything, kappa is
+//! minus its off-diagonal block), needs no Assumption 2, and takes any number of outputs and unknowns.
+//!
+//! **Conditions.** (A, C) observable; the Schur complement of the joint Gramian not singular
+//! (`parameters/identifiable.rs`).
+
+mod regressing;
+mod two_stages;
+
+use std::sync::Arc;
+
+use super::window::{
+    constants, delays, fir, refuse_long_delays, resolution_warnings, time_warning, verdict, window_steps,
+};
+use super::{Keyed, Method};
+use crate::design::{Convergence, Design, NamedMatrix, Numerics, Shape};
+use crate::diagnostic::{Diagnostic, codes};
+use crate::parameters::augment::{augmented, varying, without};
+use crate::parameters::functions::with_functions;
+use crate::parameters::identifiable;
+use crate::plant::Plant;
+use crate::spec::Quantity;
+use crate::spec::reader::Table;
+use crate::window::certificate::certify;
+use crate::window::model::signals;
+use crate::window::settle::settle;
+use crate::window::solve::{Choice, Exact};
+use crate::window::{Functional, refuse_much_work, seconds, trimmed};
+use two_stages::Paper;
+
+/// The registry's entry.
+pub const METHOD: Method = Method {
+    name: "parameters",
+    summary: "the state and unknown constants together, over the last N+1 samples",
+    source: "Mazenc and Malisoff 2022 (parameters and states), Theorems 1, 2, 3, made exact for samples",
+    keys: &[
+        ("window", "s", "length of the window, a whole number of samples; the estimate has converged after it"),
+        ("form", "\"joint\" | \"paper\"", "one least-squares problem, or the paper's two stages"),
+        ("integration_window", "s", "T of the paper's second stage; as long as `window` by default"),
+        ("shifts", "list of s", "tau_i of the paper, one per unknown; `[0]` by default"),
+        (
+            "excitation",
+            "number",
+            "share of an unknown's effect that the state must not explain; 1e-3 in f32, 1e-6 in f64 (varying factors)",
+        ),
+        ("realization", "\"auto\" | \"fir\"", "how the step computes it"),
+    ],
+    realizations: &[
+        ("fir", "one weighted sum over the stored samples; no state that can drift (constant factors)"),
+        ("regression", "responses and equations over the stored samples in every call (varying factors)"),
+    ],
+    page: include_str!("parameters.md"),
+    read,
+};
+
+/// The method's keys.
+#[derive(Clone, Debug)]
+struct Keys {
+    window: Quantity,
+    paper: Option<Paper>,
+    excitation: Option<Quantity>,
+}
+
+fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
+    let window = table.quantity("window");
+    if window.is_none() && !table.has("window") {
+        table.missing(
+            "window",
+            "write `window = …`, the length in seconds; the deadline by which the estimate is exact",
+        );
+    }
+    let paper = table.choice("form", &[("joint", false), ("paper", true)], false);
+    let stages = Paper { integration: table.quantity("integration_window"), shifts: table.list("shifts") };
+    for key in ["integration_window", "shifts"] {
+        if !paper && table.has(key) {
+            let message = format!("`{key}` belongs to `form = \"paper\"`");
+            let error = Diagnostic::error(codes::BAD_COMBINATION, table.key_span(key), message);
+            table.report(error.help("leave it out: the joint form has one stage"));
+        }
+    }
+    let excitation = table.quantity("excitation");
+    if paper && table.has("excitation") {
+        let message = "`excitation` belongs to `form = \"joint\"`";
+        let error = Diagnostic::error(codes::BAD_COMBINATION, table.key_span("excitation"), message);
+        table.report(error.help("leave it out"));
+    }
+    table.choice("realization", &[("auto", ()), ("fir", ())], ());
+    Some(Arc::new(Keys { window: window?, paper: paper.then_some(stages), excitation }))
+}
+
+/// A window that fits the plant.
+struct Frame {
+    /// N.
+    steps: usize,
+    /// Whole samples, per output.
+    delays: Vec<usize>,
+    /// Of the joint observability matrix.
+    condition: f64,
+}
+
+impl Keyed for Keys {
+    fn observed(&self, plant: Plant) -> Result<Plant, Vec<Diagnostic>> {
+        if plant.unknowns.is_empty() {
+            let error = Diagnostic::error(codes::METHOD_CANNOT, plant.span.clone(), "there is no unknown to estimate");
+            return Err(vec![error.help("declare it under [unknowns], or use the method `window`")]);
+        }
+        with_functions(augmented(plant))
+    }
+
+    fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {
+        if let Some(paper) = &self.paper {
+            return two_stages::design(plant, &self.window, paper);
+        }
+        let frame = Frame::new(plant, &self.window)?;
+        if !varying(plant).is_empty() {
+            return regressing::design(plant, &frame, self.excitation.as_ref());
+        }
+        let settled = settle(plant, &signals(plant), &frame.delays, frame.steps, &Choice::LeastSquares)?;
+        let constants = constants(&settled.1.model);
+        Ok(functional(plant, &frame, settled, summary(plant, frame.steps), constants))
+    }
+}
+
+impl Frame {
+    /// Refuses windows that are none, states that are not seen, unknowns that are not told apart.
+    fn new(plant: &Plant, window: &Quantity) -> Result<Self, Vec<Diagnostic>> {
+        let mut found = Vec::new();
+        let steps = window_steps(plant, window, &mut found);
+        let delays = delays(plant, &mut found);
+        let (Some(steps), Some(delays)) = (steps, delays) else { return Err(found) };
+        let span = window.span();
+        refuse_long_delays(plant, &delays, steps, &span, &mut found);
+        refuse_much_work(plant, steps, &span, &mut found);
+        if !found.is_empty() {
+            return Err(found);
+        }
+        let every: Vec<usize> = (0..plant.unknowns.len()).collect();
+        verdict(&without(plant, &every), &delays, steps, &span)?;
+        let base = without(plant, &varying(plant));
+        identifiable::check(&base, &delays)?;
+        let condition = verdict(&base, &delays, steps, &span)?;
+        Ok(Self { steps, delays, condition })
+    }
+}
+
+/// A functional with constant weights.
+fn functional(
+    plant: &Plant,
+    frame: &Frame,
+    (functional, exact, numerics): (Functional, Exact, Numerics),
+    summary: String,
+    constants: Vec<NamedMatrix>,
+) -> Design {
+    Design {
+        method: METHOD.name,
+        realization: "fir",
+        summary,
+        window_steps: frame.steps,
+        valid_from_step: frame.steps,
+        convergence: Convergence::Finite,
+        realizations: Vec::new(),
+        notes: Vec::new(),
+        constants,
+        fir: Some(fir(plant, &functional)),
+        certificate: certify(plant, &functional, &exact),
+        numerics: Numerics { condition: frame.condition, ..numerics },
+        warnings: time_warning(plant).into_iter().chain(resolution_warnings(plant)).collect(),
+        shape: Shape::Window(functional),
+    }
+}
+
+fn summary(plant: &Plant, steps: usize) -> String {
+    let h = plant.sample_time_s();
+    format!(
+        "joint least squares for states and unknowns over the last {} samples ({} s at {h} s), stateless",
+        steps + 1,
+        trimmed(seconds(steps, h))
+    )
+}

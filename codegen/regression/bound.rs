@@ -1,0 +1,94 @@
+//! How large the sums of a regression get, so that what enters is bounded such that none overflows.
+//!
+//! Responses are linear in the samples: at most the sum of the magnitudes of their impulse responses. The
+//! equations are sums of products of two responses, and the estimate adds products of an unknown, at most
+//! the bound itself, and a response.
+
+use crate::window::lower::guard::Growth;
+
+use super::{Drive, Entry, Regression};
+
+/// What the largest sums of a step are, for samples of magnitude 1.
+pub fn growth(regression: &Regression) -> Growth {
+    let phi = doubles(&regression.phi);
+    let shown = doubles(&regression.shown);
+    let steps = regression.carrier.steps;
+    let of = |drive: &Drive| reach(&phi, &columns(drive), &shown, steps);
+    let (known, seen) = of(&regression.known);
+    let responses: Vec<(Vec<f64>, f64)> = regression.gammas.iter().map(of).collect();
+    // Sums of magnitudes over o: along a sample, and along the window.
+    let rows: Vec<&Vec<Vec<crate::design::Settled>>> = regression.rows.iter().collect();
+    let across = rows.iter().flat_map(|r| r.iter()).map(|o| o.iter().map(|x| x.double.abs()).sum()).fold(0.0, f64::max);
+    let n = regression.states.len();
+    let down = |k: usize| -> f64 { rows.iter().flat_map(|r| r.iter()).map(|o| o[k].double.abs()).sum() };
+    let down = (0..n).map(down).fold(0.0, f64::max);
+    let left = 1.0 + across * down;
+    let equations = crate::window::count(rows.len() * regression.trust.len());
+    let measured = (1.0 + seen) * left;
+    let regressor = responses.iter().map(|(_, v)| v * left).fold(0.0, f64::max);
+    let normal = equations * regressor * regressor.max(measured);
+
+    let through = doubles(&regression.through);
+    let total = |row: &[f64]| row.iter().map(|x| x.abs()).sum::<f64>();
+    let state = |a: usize| -> (f64, f64) {
+        let spread = total(&through[a]) * down;
+        let own: f64 = responses.iter().map(|(p, v)| p[a] + spread * v).sum();
+        (known[a] + spread * (1.0 + seen), own)
+    };
+    let states: Vec<(f64, f64)> = (0..n).map(state).collect();
+    let mut growth = Growth { linear: 1.0 + seen, square: normal };
+    for (linear, square) in &states {
+        growth.linear = growth.linear.max(*linear);
+        growth.square = growth.square.max(*square);
+    }
+    for scale in &regression.scales {
+        growth.linear = growth.linear.max(*scale);
+    }
+    for (o, prediction) in regression.carrier.prediction.iter().enumerate() {
+        let weights: Vec<f64> =
+            regression.states.iter().map(|j| prediction.states[*j].map_or(0.0, |w| w.double.abs())).collect();
+        let sum = |pick: fn(&(f64, f64)) -> f64| weights.iter().zip(&states).map(|(w, s)| w * pick(s)).sum::<f64>();
+        let signals: f64 = prediction.held.iter().chain(&prediction.end).flatten().map(|w| 2.0 * w.double.abs()).sum();
+        let believed = regression.held[o].iter().chain(&regression.end[o]).flatten().flatten();
+        let believed: f64 = believed.map(|w| 2.0 * w.double.abs()).sum();
+        growth.linear = growth.linear.max(sum(|s| s.0) + signals + prediction.constant.double.abs());
+        growth.square = growth.square.max(sum(|s| s.1) + believed);
+    }
+    growth
+}
+
+/// The most that responses from zero can come to while one sample interval is computed, for values of
+/// magnitude 1: per state, and of what is shown.
+pub fn reach(phi: &[Vec<f64>], columns: &[Vec<f64>], shown: &[Vec<f64>], steps: usize) -> (Vec<f64>, f64) {
+    let n = phi.len();
+    let mut sums = vec![0.0_f64; n];
+    let mut impulses = columns.to_vec();
+    for _ in 0..steps {
+        for impulse in &mut impulses {
+            sums.iter_mut().zip(&*impulse).for_each(|(sum, x)| *sum += x.abs());
+            *impulse = phi.iter().map(|row| row.iter().zip(&*impulse).map(|(a, x)| a * x).sum()).collect();
+        }
+    }
+    // One more product with Phi, term by term.
+    let within: Vec<f64> = (0..n)
+        .map(|i| {
+            let through: f64 = phi[i].iter().zip(&sums).map(|(a, s)| a.abs() * s).sum();
+            through + columns.iter().map(|column| column[i].abs()).sum::<f64>()
+        })
+        .collect();
+    let seen = shown.iter().map(|row| row.iter().zip(&within).map(|(c, x)| c.abs() * x).sum()).fold(0.0, f64::max);
+    (within, seen)
+}
+
+fn columns(drive: &Drive) -> Vec<Vec<f64>> {
+    let constant = std::iter::once(&drive.constant);
+    drive.begin.iter().chain(&drive.end).chain(constant).map(|column| row(column)).collect()
+}
+
+fn doubles(rows: &[Vec<Entry>]) -> Vec<Vec<f64>> {
+    rows.iter().map(|entries| row(entries)).collect()
+}
+
+fn row(entries: &[Entry]) -> Vec<f64> {
+    entries.iter().map(|entry| entry.map_or(0.0, |e| e.double)).collect()
+}
