@@ -174,9 +174,9 @@ static void drive_irregular_part_1(drive_irregular_state *state, const drive_irr
     const uint32_t t0 = state->newest;
     const uint32_t t1 = (t0 < 100U) ? t0 : 100U;
     const float t2 = measurements->y;
-    const int t3 = (-1e23f <= t2) && (t2 <= 1e23f);
+    const int t3 = (-1e21f <= t2) && (t2 <= 1e21f);
     const float t4 = inputs->u;
-    const int t5 = (-1e23f <= t4) && (t4 <= 1e23f);
+    const int t5 = (-1e21f <= t4) && (t4 <= 1e21f);
     const float t6 = state->u[t1];
     work->t7 = t5 ? t4 : t6;
     work->t8 = (t1 < 100U) ? (t1 + 1U) : 0U;
@@ -318,7 +318,7 @@ static void drive_irregular_part_3(const drive_irregular_state *state, drive_irr
 static void drive_irregular_part_4(drive_irregular_work *work)
 {
     /* the window's start from the samples that are there */
-    const int t122 = 0.00050922f < work->t54;
+    const int t122 = 0.000127305f < work->t54;
     const float t123 = t122 ? work->t54 : 1.0f;
     const float t124 = work->t55 / t123;
     const float t125 = t124 * work->t55;
@@ -332,7 +332,7 @@ static void drive_irregular_part_4(drive_irregular_work *work)
     const float t133 = work->t59 - t132;
     const float t134 = t131 * work->t60;
     const float t135 = work->t62 - t134;
-    const int t136 = 0.00050922f < t126;
+    const int t136 = 0.000127305f < t126;
     const int t137 = t122 && t136;
     const float t138 = t136 ? t126 : 1.0f;
     const float t139 = t128 / t138;
@@ -340,7 +340,7 @@ static void drive_irregular_part_4(drive_irregular_work *work)
     const float t141 = t133 - t140;
     const float t142 = t139 * t130;
     const float t143 = t135 - t142;
-    const int t144 = 0.00050922f < t141;
+    const int t144 = 0.000127305f < t141;
     work->flags[1] = t137 && t144;
     const float t146 = t144 ? t141 : 1.0f;
     const float t147 = t143 / t146;
@@ -377,19 +377,19 @@ static void drive_irregular_part_5(drive_irregular_state *state, drive_irregular
     const float t178 = state->next_q;
     const float t180 = 9.516694e-8f * work->t7;
     const float t181 = t178 + t180;
-    const int t182 = (-1e23f <= t181) && (t181 <= 1e23f);
+    const int t182 = (-1e21f <= t181) && (t181 <= 1e21f);
     const int t183 = t177 && t182;
     const float t184 = work->flags[1] ? work->t163 : t181;
     const float t185 = state->next_dq;
     const float t187 = 0.00028085354f * work->t7;
     const float t188 = t185 + t187;
-    const int t189 = (-1e23f <= t188) && (t188 <= 1e23f);
+    const int t189 = (-1e21f <= t188) && (t188 <= 1e21f);
     const int t190 = t183 && t189;
     const float t191 = work->flags[1] ? work->t169 : t188;
     const float t192 = state->next_i;
     const float t194 = 0.036250554f * work->t7;
     const float t195 = t192 + t194;
-    const int t196 = (-1e23f <= t195) && (t195 <= 1e23f);
+    const int t196 = (-1e21f <= t195) && (t195 <= 1e21f);
     const int t197 = t190 && t196;
     const float t198 = work->flags[1] ? work->t175 : t195;
     const int t199 = work->flags[1] || t197;
@@ -400,19 +400,19 @@ static void drive_irregular_part_5(drive_irregular_state *state, drive_irregular
     const float t205 = 7.021338e-6f * t198;
     const float t206 = t184 + t203;
     const float t207 = t206 + t205;
-    const int t208 = (-1e23f <= t207) && (t207 <= 1e23f);
+    const int t208 = (-1e21f <= t207) && (t207 <= 1e21f);
     const float t209 = t208 ? t207 : 0.0f;
     state->next_q = t209;
     const float t211 = 0.998745f * t191;
     const float t213 = 0.0135869365f * t198;
     const float t214 = t211 + t213;
-    const int t215 = (-1e23f <= t214) && (t214 <= 1e23f);
+    const int t215 = (-1e21f <= t214) && (t214 <= 1e21f);
     const float t216 = t215 ? t214 : 0.0f;
     state->next_dq = t216;
     const float t218 = -0.032970965f * t191;
     const float t220 = 0.81849164f * t198;
     const float t221 = t218 + t220;
-    const int t222 = (-1e23f <= t221) && (t221 <= 1e23f);
+    const int t222 = (-1e21f <= t221) && (t221 <= 1e21f);
     const float t223 = t222 ? t221 : 0.0f;
     state->next_i = t223;
 

@@ -327,9 +327,9 @@ impl Observer {
         let t0 = self.newest;
         let t1 = t0.min(100);
         let t2 = measurements.y;
-        let t3 = (-1e23..=1e23).contains(&t2);
+        let t3 = (-1e21..=1e21).contains(&t2);
         let t4 = inputs.u;
-        let t5 = (-1e23..=1e23).contains(&t4);
+        let t5 = (-1e21..=1e21).contains(&t4);
         let t6 = self.u[t1];
         work.t7 = if t5 { t4 } else { t6 };
         work.t8 = if t1 < 100 { t1 + 1 } else { 0 };
@@ -467,7 +467,7 @@ impl Observer {
     /// Part 4 of a step.
     fn part_4(work: &mut Work) {
         // the window's start from the samples that are there
-        let t122 = 0.000_509_22 < work.t54;
+        let t122 = 0.000_127_305 < work.t54;
         let t123 = if t122 { work.t54 } else { 1.0 };
         let t124 = work.t55 / t123;
         let t125 = t124 * work.t55;
@@ -481,7 +481,7 @@ impl Observer {
         let t133 = work.t59 - t132;
         let t134 = t131 * work.t60;
         let t135 = work.t62 - t134;
-        let t136 = 0.000_509_22 < t126;
+        let t136 = 0.000_127_305 < t126;
         let t137 = t122 && t136;
         let t138 = if t136 { t126 } else { 1.0 };
         let t139 = t128 / t138;
@@ -489,7 +489,7 @@ impl Observer {
         let t141 = t133 - t140;
         let t142 = t139 * t130;
         let t143 = t135 - t142;
-        let t144 = 0.000_509_22 < t141;
+        let t144 = 0.000_127_305 < t141;
         work.flags[1] = t137 && t144;
         let t146 = if t144 { t141 } else { 1.0 };
         let t147 = t143 / t146;
@@ -525,19 +525,19 @@ impl Observer {
         let t178 = self.next_q;
         let t180 = 9.516_694e-8 * work.t7;
         let t181 = t178 + t180;
-        let t182 = (-1e23..=1e23).contains(&t181);
+        let t182 = (-1e21..=1e21).contains(&t181);
         let t183 = t177 && t182;
         let t184 = if work.flags[1] { work.t163 } else { t181 };
         let t185 = self.next_dq;
         let t187 = 0.000_280_853_54 * work.t7;
         let t188 = t185 + t187;
-        let t189 = (-1e23..=1e23).contains(&t188);
+        let t189 = (-1e21..=1e21).contains(&t188);
         let t190 = t183 && t189;
         let t191 = if work.flags[1] { work.t169 } else { t188 };
         let t192 = self.next_i;
         let t194 = 0.036_250_554 * work.t7;
         let t195 = t192 + t194;
-        let t196 = (-1e23..=1e23).contains(&t195);
+        let t196 = (-1e21..=1e21).contains(&t195);
         let t197 = t190 && t196;
         let t198 = if work.flags[1] { work.t175 } else { t195 };
         let t199 = work.flags[1] || t197;
@@ -548,19 +548,19 @@ impl Observer {
         let t205 = 7.021_338e-6 * t198;
         let t206 = t184 + t203;
         let t207 = t206 + t205;
-        let t208 = (-1e23..=1e23).contains(&t207);
+        let t208 = (-1e21..=1e21).contains(&t207);
         let t209 = if t208 { t207 } else { 0.0 };
         self.next_q = t209;
         let t211 = 0.998_745 * t191;
         let t213 = 0.013_586_936_5 * t198;
         let t214 = t211 + t213;
-        let t215 = (-1e23..=1e23).contains(&t214);
+        let t215 = (-1e21..=1e21).contains(&t214);
         let t216 = if t215 { t214 } else { 0.0 };
         self.next_dq = t216;
         let t218 = -0.032_970_965 * t191;
         let t220 = 0.818_491_64 * t198;
         let t221 = t218 + t220;
-        let t222 = (-1e23..=1e23).contains(&t221);
+        let t222 = (-1e21..=1e21).contains(&t221);
         let t223 = if t222 { t221 } else { 0.0 };
         self.next_i = t223;
 
