@@ -325,7 +325,8 @@ impl Keys {
         };
         let condition = self.condition(plant, plan, intermittent);
         let Some(condition) = condition else {
-            let why = "000 Theorem 2 says nothing here: it needs k > 0, and bounded slopes over declared ranges";
+            let why = "000 Theorem 2 says nothing here: it needs continuous time, k > 0 for which `A1 + k I` can be \
+                       inverted, and bounded slopes over declared ranges";
             notes.push(why.into());
             return Err(unproved("convergence at irregular times is not proved for this plant".into()).label(why));
         };

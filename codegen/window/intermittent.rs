@@ -41,7 +41,8 @@ impl Condition {
     pub fn new(constants: &Constants, k: f64, tau: f64, gap: f64, (k1, k2): (f64, f64)) -> Option<Self> {
         let exp = deadbeat_math::exp_f64;
         let (a1, a2) = (norm(&constants.a1), norm(&constants.a2));
-        let s_inverse = norm(&constants.s_inverse);
+        // Where outputs count by their noise, every integral of (38) has their weight in it.
+        let s_inverse = norm(&constants.s_inverse) * norm(&constants.weight);
         let h = norm(constants.h.as_ref()?);
         let lambda = lambda_norms(constants, k, tau)?;
         let d = tau / super::count(PANELS);
