@@ -9,6 +9,8 @@
     reason = "counts of calls and samples are small"
 )]
 
+#[path = "support/linear.rs"]
+mod linear;
 #[path = "support/plant.rs"]
 mod plant;
 #[path = "support/truths.rs"]
@@ -17,6 +19,7 @@ mod truths;
 use deadbeat_codegen::design::{CONTRACTED, Convergence};
 use deadbeat_codegen::program::Status;
 use deadbeat_codegen::{Generated, Generator, diagnostic::codes};
+use linear::Linear;
 use plant::{Random, Run, at_sample_time, designed, functional};
 use truths::truth;
 
@@ -135,6 +138,46 @@ fn measurements_too_far_apart_are_refused_with_the_radius() {
         assert_eq!(one.code, codes::METHOD_CANNOT);
         assert!(one.measured.unwrap() > 1.0, "{}", report.render(false));
     }
+}
+
+/// A plant that swings: a measurement every fourth sample converges, every third does not, and what allows both is
+/// refused.
+#[test]
+fn a_shorter_gap_that_is_worse_is_found() {
+    let (mut linear, _) = Linear::new((4, 2, 0, (true, true), 8, 65));
+    (linear.delays, linear.steps) = (vec![0; 2], 14);
+    let design = |min: usize, max: usize| {
+        let gaps = format!("{{ min = {}, max = {} }}", min as f64 * linear.h, max as f64 * linear.h);
+        let keys = format!("k = -0.321\nintermittent = {gaps}\nunproved = 'accept'");
+        Generator::new(&linear.text(&format!("[observer.single-delay]\n{keys}")), "swings.toml").design()
+    };
+    for (min, max) in [(3, 3), (1, 4), (3, 4), (2, 8)] {
+        let report = design(min, max).unwrap_err();
+        let radius = report.diagnostics[0].measured.unwrap();
+        assert!((radius - 1.389).abs() < 1e-3, "{min} to {max}: {}", report.render(false));
+    }
+    let four = design(4, 4).unwrap();
+    assert!((radius(&four) - 0.679).abs() < 1e-3, "{:?}", four.design.convergence);
+}
+
+/// Windows that are too long for eigenvalues: 801 samples, whose error contracts as the iteration says.
+#[test]
+fn long_windows_contract_as_the_iteration_says() {
+    let generated = designed(&at_sample_time(&motor(false, 100, 18).replace("min = 1e-3", "min = 0.018"), 1.25e-4));
+    let (steps, gap) = (generated.design.window_steps, 144);
+    assert_eq!(steps, 800);
+    let valid = generated.design.valid_from_step;
+    let calls = valid + 41 * gap;
+    let mut run = at_rest(&generated, calls, 1);
+    run.measurements[..=steps].iter_mut().for_each(|y| y[0] = 1.0);
+    let run = measured_at(&run, |call| call == 0 || call % gap == (steps + 1) % gap);
+    let answers = run.through(&generated);
+    assert_statuses(&generated, &answers.statuses);
+    let error = |call: usize| answers.estimates[call][1].abs();
+    let measured = (error(valid + 40 * gap) / error(valid)).powf(1.0 / 40.0);
+    println!("radius {}, measured {measured}; {:e} left of {:e}", radius(&generated), error(valid), error(steps + gap));
+    assert!((measured / radius(&generated) - 1.0).abs() < 1e-6);
+    assert!(error(valid) <= CONTRACTED * error(steps + gap));
 }
 
 /// Errors of the speed over ten spans of equal length.

@@ -19,7 +19,7 @@
 //! (15) misses `|R| |delta_2|`, and (41) needs `q1 + |R|`. (39)'s second line has `A_2 xihat_1`. (38)'s varsigma_3 has
 //! `e^{ks}`. The paper's bounds are 1e9 times too large to be of use; the certificate sums the weights themselves.
 
-use std::ops::Range;
+use std::ops::{Range, RangeInclusive};
 use std::sync::Arc;
 
 use super::window::{
@@ -277,11 +277,12 @@ impl Keys {
         warnings: &mut Vec<Diagnostic>,
     ) -> Result<Convergence, Vec<Diagnostic>> {
         let Some(intermittent) = &self.intermittent else { return Ok(Convergence::Finite) };
-        let gap = intermittent.steps(plant)?;
+        let gaps = intermittent.steps(plant)?;
+        let most = *gaps.end();
         let next = (&exact.model.c * &exact.model.phi).to_f64();
-        let lifted = Lifted::new(functional, &next, gap);
-        let radius = lifted.map_or(f64::NAN, |lifted| lifted.radius);
-        let periods = lifted.and_then(|lifted| lifted.periods);
+        let slowest = Lifted::slowest(functional, &next, gaps);
+        let (gap, radius) = slowest.map_or((most, f64::NAN), |(gap, lifted)| (gap, lifted.radius));
+        let periods = slowest.and_then(|(_, lifted)| lifted.periods);
         let Some(periods) = periods.filter(|_| radius < 1.0) else {
             return Err(vec![self.diverges(intermittent, plant, radius, gap)]);
         };
@@ -296,7 +297,7 @@ impl Keys {
             }
             warnings.push(Diagnostic { level: crate::diagnostic::Level::Warning, ..unproved });
         }
-        functional.gaps = Some(Gaps { most: gap, settled: plan.steps + 1 + periods * gap });
+        functional.gaps = Some(Gaps { most, settled: plan.steps + 1 + periods * gap });
         Ok(Convergence::Geometric { radius, period: gap })
     }
 
@@ -385,8 +386,8 @@ fn lipschitz(
 }
 
 impl Intermittent {
-    /// The longest gap in samples; both times must be whole samples, the first not the longer.
-    fn steps(&self, plant: &Plant) -> Result<usize, Vec<Diagnostic>> {
+    /// The gaps in samples; both times must be whole samples, the first not the longer.
+    fn steps(&self, plant: &Plant) -> Result<RangeInclusive<usize>, Vec<Diagnostic>> {
         let mut found = Vec::new();
         let mut steps = |time: &Quantity, what: &str| {
             let value = plant.constant(time, &mut found)?;
@@ -395,7 +396,7 @@ impl Intermittent {
         let min = steps(&self.min, "the shortest time between measurements");
         let max = steps(&self.max, "the longest time between measurements");
         match (min, max) {
-            (Some(min), Some(max)) if (1..=max).contains(&min) => Ok(max),
+            (Some(min), Some(max)) if (1..=max).contains(&min) => Ok(min..=max),
             (Some(min), Some(max)) => {
                 let message = "`intermittent` needs 0 < min <= max";
                 let error = Diagnostic::error(codes::BAD_NUMBER, self.place.clone(), message);
@@ -428,7 +429,7 @@ impl Intermittent {
         steps: usize,
         condition: f64,
     ) -> Result<Design, Vec<Diagnostic>> {
-        let most = self.steps(plant)?;
+        let most = *self.steps(plant)?.end();
         let delays = vec![0; plant.outputs.len()];
         let (mut functional, exact, mut numerics) = settle(plant, signals, &delays, steps, &Choice::LeastSquares)?;
         numerics.condition = condition;
