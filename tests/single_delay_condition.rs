@@ -77,7 +77,8 @@ fn mu(k: f64) -> f64 {
     let s1 = s_inverse * growth / (k * k) * trapezoid(&|s| (k * s).exp() - s * k - 1.0);
     let s2 = s_inverse / k * trapezoid(&|s| 1.0 - (k * s).exp());
     let s3 = s_inverse * TAU * growth * h * trapezoid(&|s| growth + (k * s).exp());
-    let s4 = s_inverse * h * ((1.0 - (-k * TAU).exp()) / k + TAU * (norm(&(a1.transpose() + 2.0 * k * eye)) * TAU).exp());
+    let s4 =
+        s_inverse * h * ((1.0 - (-k * TAU).exp()) / k + TAU * (norm(&(a1.transpose() + 2.0 * k * eye)) * TAU).exp());
     (s1 + s3) * k1 + s2 * k2 + s4 + r + k + k2
 }
 

@@ -77,8 +77,11 @@ fn measured_at(run: &Run, measured: impl Fn(usize) -> bool) -> Run {
 fn at_rest(generated: &Generated, calls: usize, seed: u64) -> Run {
     let (n, m) = (generated.plant.states.len(), generated.plant.inputs.len());
     let mut random = Random::new(seed);
-    let mut run =
-        Run { states: vec![vec![0.0; n]; calls], measurements: vec![vec![0.0]; calls], inputs: vec![vec![0.0; m]; calls] };
+    let mut run = Run {
+        states: vec![vec![0.0; n]; calls],
+        measurements: vec![vec![0.0]; calls],
+        inputs: vec![vec![0.0; m]; calls],
+    };
     run.measurements[..=STEPS].iter_mut().for_each(|y| y[0] = random.within(-1.0, 1.0));
     run
 }
