@@ -21,8 +21,10 @@ const PANELS: usize = 400;
 const LARGEST: usize = 600;
 /// Up to so many times its rows cubed, for every gap; beyond, for the longest gap only.
 const MOST_EXACT: usize = 30_000_000;
-/// The most work of one period of all gaps together, in products; beyond, some gaps are left out.
-const MOST_ITERATED: usize = 4_000_000;
+/// Half of the periods that are iterated at least.
+const WARM: usize = 64;
+/// The most work of half the iterations of all gaps together, in products; beyond, some gaps are left out.
+const MOST_ITERATED: usize = 200_000_000;
 /// Sweeps of the QR algorithm before it is given up.
 const SWEEPS: usize = 100_000;
 
@@ -125,13 +127,19 @@ impl Lifted {
         let errors = Errors::new(functional, output_next);
         let (size, longest) = (errors.size(), *gaps.end());
         let all = size.saturating_pow(3).saturating_mul(gaps.clone().count()) <= MOST_EXACT;
-        let work = gaps.clone().sum::<usize>().saturating_mul(size * errors.outputs);
+        let calls = gaps.clone().map(|gap| gap * errors.warm(gap)).sum::<usize>();
+        let work = calls.saturating_mul(size * errors.outputs);
         let mut looked_at: Vec<usize> = gaps.rev().step_by(work.div_ceil(MOST_ITERATED).max(1)).collect();
         looked_at.reverse();
         let mut slowest: Option<(usize, Self)> = None;
         for gap in looked_at {
             let exact = size <= LARGEST && (all || gap == longest);
-            let lifted = if exact { Self::exact(&errors, gap)? } else { Self::by_iteration(&errors, gap) };
+            let lifted = match gap {
+                // An error leaves with its sample; all eigenvalues are zero, which no algorithm finds.
+                1 => Self { radius: 0.0, periods: Some(errors.rows.len()) },
+                _ if exact => Self::exact(&errors, gap)?,
+                _ => Self::by_iteration(&errors, gap),
+            };
             let Some(periods) = lifted.periods.filter(|_| lifted.radius < 1.0) else { return Some((gap, lifted)) };
             let calls = |(gap, lifted): (usize, Self)| lifted.periods.map_or(0, |periods| periods * gap);
             if slowest.is_none_or(|slowest| calls(slowest) <= periods * gap) {
@@ -143,10 +151,6 @@ impl Lifted {
 
     fn exact(errors: &Errors, gap: usize) -> Option<Self> {
         let size = errors.size();
-        if gap == 1 {
-            // An error leaves with its sample; its map has nothing but zero eigenvalues, which no algorithm finds.
-            return Some(Self { radius: 0.0, periods: Some(errors.rows.len()) });
-        }
         let mut map = DMatrix::zeros(size, size);
         for j in 0..size {
             let mut window = vec![0.0; size];
@@ -170,29 +174,29 @@ impl Lifted {
 
     /// From what becomes of an error whose largest entry is 1.
     fn of(errors: &Errors, gap: usize, mut window: Vec<f64>) -> Self {
-        const WARM: u32 = 64;
+        let half = errors.warm(gap);
         let contracted = deadbeat_math::log_f64(crate::design::CONTRACTED);
         // Of what is left: the logarithm now, and after the first half.
         let (mut left, mut warm) = (0.0, 0.0);
         let mut periods = None;
-        for step in 1..=2 * WARM {
+        for step in 1..=2 * half {
             errors.period(&mut window, gap);
             let size = window.iter().fold(0.0_f64, |largest, e| largest.max(e.abs()));
             if size == 0.0 {
-                return Self { radius: 0.0, periods: periods.or(usize::try_from(step).ok()) };
+                return Self { radius: 0.0, periods: periods.or(Some(step)) };
             }
             window.iter_mut().for_each(|e| *e /= size);
             left += deadbeat_math::log_f64(size);
-            if step == WARM {
+            if step == half {
                 warm = left;
             }
             if left < contracted {
-                periods = periods.or(usize::try_from(step).ok());
+                periods = periods.or(Some(step));
             }
         }
-        let rate = (left - warm) / f64::from(WARM);
+        let rate = (left - warm) / super::count(half);
         if rate < 0.0 && periods.is_none() {
-            let needed = f64::from(2 * WARM) + (contracted - left) / rate;
+            let needed = super::count(2 * half) + (contracted - left) / rate;
             #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "positive and clamped")]
             let needed = needed.ceil().clamp(1.0, 1e9) as usize;
             periods = Some(needed);
@@ -221,6 +225,11 @@ impl Errors {
     /// Of a window's errors.
     fn size(&self) -> usize {
         self.rows.len() * self.outputs
+    }
+
+    /// Periods after which a window's first errors have left it twice over.
+    fn warm(&self, gap: usize) -> usize {
+        WARM.max(2 * self.rows.len().div_ceil(gap))
     }
 
     /// The error of the prediction that takes a sample's place.
