@@ -152,7 +152,7 @@ fn survives(text: &str) {
 }
 
 /// Small plants with short windows, so that a design costs milliseconds.
-const SEEDS: [&str; 4] = [
+const SEEDS: [&str; 5] = [
     r#"deadbeat = 1
 name = "cart"
 title = "A cart"
@@ -216,6 +216,25 @@ u = {}
 q = { value = 'q' }
 [observer.window]
 window = 0.02
+[target]
+sample_time = 0.01
+"#,
+    r#"deadbeat = 1
+name = "rare"
+[states]
+q = { derivative = 'dq' }
+dq = { derivative = 'u - sin(q) - dq' }
+[inputs]
+u = {}
+[outputs]
+q = { value = 'q', range = [-4, 4] }
+[observer.single-delay]
+window = 0.06
+k = 2
+form = "continuous"
+hold = "third"
+intermittent = { min = 0.01, max = 0.02 }
+unproved = "accept"
 [target]
 sample_time = 0.01
 "#,

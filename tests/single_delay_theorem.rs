@@ -52,15 +52,15 @@ fn k(random: &mut Random, window_s: f64) -> f64 {
 fn refusal_is_right(message: &str, linear: &Linear) -> Option<&'static str> {
     let (n, p) = (linear.a.nrows(), linear.delays.len());
     let rank = |m: &DMatrix<f64>| m.clone().svd(false, false).rank(1e-9);
-    let (repeat, all) = ("the outputs repeat each other", "every state is measured");
-    let (gramian, unobservable) = ("the reduced observer's Gramian cannot be inverted", "the state");
+    let (repeat, all) = ("the output `", "every state is measured");
+    let (forgets, unobservable) = ("the plant forgets part of its state", "the state");
     if message.starts_with(repeat) {
         (rank(&linear.c) < p).then_some(repeat)
     } else if message.starts_with(all) {
         (rank(&linear.c) == n).then_some(all)
-    } else if message.starts_with(gramian) {
-        // A discrete plant forgets a state within a sample; a continuous one never does.
-        linear.discrete.then_some(gramian)
+    } else if message.starts_with(forgets) {
+        // A continuous plant never does.
+        linear.discrete.then_some(forgets)
     } else if message.starts_with(unobservable) {
         let phi = linear.sampled().0;
         let mut rows = linear.c.clone();

@@ -19,7 +19,7 @@
 //! (15) misses `|R| |delta_2|`, and (41) needs `q1 + |R|`. (39)'s second line has `A_2 xihat_1`. (38)'s varsigma_3 has
 //! `e^{ks}`. The paper's bounds are 1e9 times too large to be of use; the certificate sums the weights themselves.
 
-use std::ops::Range;
+use std::ops::{Range, RangeInclusive};
 use std::sync::Arc;
 
 use super::window::{
@@ -32,7 +32,7 @@ use crate::design::{Certificate, Convergence, Design, NamedMatrix, Shape};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::expr::{Constant, Symbol};
 use crate::plant::Plant;
-use crate::real::{Matrix, Precision, Real};
+use crate::real::{Matrix, Precision, Real, inverse};
 use crate::spec::Quantity;
 use crate::spec::reader::Table;
 use crate::window::certificate::{certify, slope};
@@ -72,7 +72,8 @@ struct Keys {
     window: Quantity,
     /// `None` for "auto".
     k: Option<Quantity>,
-    continuous: bool,
+    /// Whether the paper's integrals are asked for, and where.
+    form: (bool, Range<usize>),
     hold: (Between, Range<usize>),
     intermittent: Option<Intermittent>,
     accept: bool,
@@ -92,12 +93,13 @@ fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
         table.missing("window", "write `window = …`, the delay tau in seconds, by which the estimate is exact");
     }
     let k = table.quantity("k").filter(|k| !matches!(k, Quantity::Expression(text) if text.value == "auto"));
-    let continuous = table.choice("form", &[("exact", false), ("continuous", true)], false);
+    let place = table.key_span("form");
+    let form = (table.choice("form", &[("exact", false), ("continuous", true)], false), place);
     let hold = read_hold(table);
     let intermittent = read_intermittent(table);
     let accept = table.choice("unproved", &[("refuse", false), ("accept", true)], false);
     table.choice("realization", &[("auto", ()), ("fir", ())], ());
-    Some(Arc::new(Keys { window: window?, k, continuous, hold, intermittent, accept }))
+    Some(Arc::new(Keys { window: window?, k, form, hold, intermittent, accept }))
 }
 
 fn read_intermittent(table: &mut Table) -> Option<Intermittent> {
@@ -143,8 +145,8 @@ impl Keyed for Keys {
         let rest = rest(plant)?;
         let k = self.k(plant, &rest, steps)?;
         let plan = Plan { steps, k, rest, signals };
-        let bias = if self.continuous { Bias::OfSampling } else { Bias::None };
-        let run = |p: Precision| if self.continuous { plan.continuous(self, plant, p) } else { plan.exact(plant, p) };
+        let bias = if self.form.0 { Bias::OfSampling } else { Bias::None };
+        let run = |p: Precision| if self.form.0 { plan.continuous(self, plant, p) } else { plan.exact(plant, p) };
         let (mut functional, exact, mut numerics) =
             settle_runs(plant, &plan.signals, &vec![0; plant.outputs.len()], steps, bias, &run)?;
         numerics.condition = condition;
@@ -212,31 +214,53 @@ fn rest(plant: &Plant) -> Result<Vec<usize>, Vec<Diagnostic>> {
     let n = plant.states.len();
     let c: Vec<Vec<f64>> =
         plant.c.iter().map(|row| row.iter().map(|c| c.to_f64().unwrap_or(f64::NAN)).collect()).collect();
-    let refuse = |message: &str, help: &str| {
-        vec![Diagnostic::error(codes::METHOD_CANNOT, plant.span.clone(), message).help(help)]
+    let refuse = |span: &Range<usize>, message: &str| {
+        let span = if span.is_empty() { &plant.span } else { span };
+        Diagnostic::error(codes::METHOD_CANNOT, span.clone(), message)
     };
-    let repeated = || refuse("the outputs repeat each other", "leave one of them out, or use `[observer.window]`");
-    let rest = if plant.outputs.len() > n { None } else { Coordinates::pick(&c, n) };
-    let rest = rest.ok_or_else(repeated)?;
+    if let Some(repeats) = (0..c.len()).find(|o| Coordinates::pick(&c[..=*o], n).is_none()) {
+        let label = &plant.outputs[repeats].label;
+        let error = refuse(&label.span, &format!("the output `{}` repeats what the ones before it show", label.name));
+        return Err(vec![error.help("leave it out, or use `[observer.window]`, which averages over all")]);
+    }
+    let rest = Coordinates::pick(&c, n).unwrap_or_default();
     if rest.is_empty() {
         let help = "nothing is left to estimate; to average noise away use `[observer.window]`";
-        return Err(refuse("every state is measured", help));
+        return Err(vec![refuse(&plant.span, "every state is measured").help(help)]);
+    }
+    if forgets(plant, &rest)? {
+        let error = refuse(&plant.span, "the plant forgets part of its state within a sample");
+        let error = error.label("without the outputs, the transition from sample to sample is singular");
+        return Err(vec![error.help("`[observer.window]` needs no inverse of the transition")]);
     }
     Ok(rest)
+}
+
+/// Whether a discrete plant's `Phi_rr` is singular; where that of a sampled plant nearly is, more digits may help.
+fn forgets(plant: &Plant, rest: &[usize]) -> Result<bool, Vec<Diagnostic>> {
+    if !plant.discrete {
+        return Ok(false);
+    }
+    let model = Model::new(plant, &[], Precision::bits(tune::BITS))?;
+    let coordinates = Coordinates::new(&model.c, rest.to_vec());
+    Ok(coordinates.is_ok_and(|coordinates| inverse(&coordinates.blocks(&model.phi).rr).is_err()))
 }
 
 impl Keys {
     fn refuse_discrete(&self, plant: &Plant) -> Option<Diagnostic> {
         let message = "`form = \"continuous\"` needs a plant in continuous time";
-        let error = Diagnostic::error(codes::METHOD_CANNOT, plant.span.clone(), message);
-        (self.continuous && plant.discrete).then(|| error.help("leave `form` out: the exact form is for samples"))
+        let error = Diagnostic::error(codes::METHOD_CANNOT, self.form.1.clone(), message);
+        (self.form.0 && plant.discrete).then(|| error.help("leave `form` out: the exact form is for samples"))
     }
 
     /// k as given, or the best.
     fn k(&self, plant: &Plant, rest: &[usize], steps: usize) -> Result<Constant, Vec<Diagnostic>> {
         let mut found = Vec::new();
         if let Some(k) = &self.k {
-            let value = plant.constant(k, &mut found).ok_or(found)?;
+            let Some(value) = plant.constant(k, &mut found) else {
+                let help = "write a number in 1/s, an expression of [parameters], or \"auto\"";
+                return Err(found.into_iter().map(|mistake| mistake.help(help)).collect());
+            };
             let size = value.to_f64().unwrap_or(f64::NAN) * plant.sample_time_s();
             // e^{-kh} beyond this is no factor to weigh samples with.
             return if size.abs() < 50.0 {
@@ -244,7 +268,9 @@ impl Keys {
             } else {
                 let error = Diagnostic::error(codes::OUT_OF_RANGE, k.span(), "`k` is too large for this sample time");
                 let error = error.label(format!("k times the sample time is {}", show(size))).measured(size);
-                Err(vec![error.help("at most 50; `k = \"auto\"` finds the one with the smallest noise gain")])
+                let most = show(50.0 / plant.sample_time_s());
+                let help = format!("less than {most} 1/s; `k = \"auto\"` finds the one with the smallest noise gain");
+                Err(vec![error.help(help)])
             };
         }
         let model = Model::new(plant, &[], Precision::bits(tune::BITS))?;
@@ -257,7 +283,7 @@ impl Keys {
 
     fn summary(&self, plant: &Plant, plan: &Plan) -> String {
         let h = plant.sample_time_s();
-        let form = if self.continuous { "the paper's integrals from samples" } else { "sampled twin" };
+        let form = if self.form.0 { "the paper's integrals from samples" } else { "sampled twin" };
         format!(
             "{form} over the last {} samples ({} s at {h} s), k = {} 1/s",
             plan.steps + 1,
@@ -277,11 +303,12 @@ impl Keys {
         warnings: &mut Vec<Diagnostic>,
     ) -> Result<Convergence, Vec<Diagnostic>> {
         let Some(intermittent) = &self.intermittent else { return Ok(Convergence::Finite) };
-        let gap = intermittent.steps(plant)?;
+        let gaps = intermittent.steps(plant)?;
+        let most = *gaps.end();
         let next = (&exact.model.c * &exact.model.phi).to_f64();
-        let lifted = Lifted::new(functional, &next, gap);
-        let radius = lifted.map_or(f64::NAN, |lifted| lifted.radius);
-        let periods = lifted.and_then(|lifted| lifted.periods);
+        let slowest = Lifted::slowest(functional, &next, gaps);
+        let (gap, radius) = slowest.map_or((most, f64::NAN), |(gap, lifted)| (gap, lifted.radius));
+        let periods = slowest.and_then(|(_, lifted)| lifted.periods);
         let Some(periods) = periods.filter(|_| radius < 1.0) else {
             return Err(vec![self.diverges(intermittent, plant, radius, gap)]);
         };
@@ -289,14 +316,14 @@ impl Keys {
             "linear part: with a measurement every {gap} samples the error's spectral radius is {} a period",
             short(radius)
         ));
-        let verdict = self.proof(plant, plan, intermittent, notes);
+        let verdict = self.proof(plant, plan, intermittent, radius, notes);
         if let Err(unproved) = verdict {
             if !self.accept {
                 return Err(vec![unproved]);
             }
             warnings.push(Diagnostic { level: crate::diagnostic::Level::Warning, ..unproved });
         }
-        functional.gaps = Some(Gaps { most: gap, settled: plan.steps + 1 + periods * gap });
+        functional.gaps = Some(Gaps { most, settled: plan.steps + 1 + periods * gap });
         Ok(Convergence::Geometric { radius, period: gap })
     }
 
@@ -317,15 +344,18 @@ impl Keys {
         plant: &Plant,
         plan: &Plan,
         intermittent: &Intermittent,
+        radius: f64,
         notes: &mut Vec<String>,
     ) -> Result<(), Diagnostic> {
+        let accept =
+            format!("`unproved = \"accept\"` relies on the linear part, whose spectral radius is {}", short(radius));
         let unproved = |message: String| {
-            Diagnostic::error(codes::METHOD_CANNOT, intermittent.place.clone(), message)
-                .help("`unproved = \"accept\"` relies on the linear part's spectral radius, which is computed")
+            Diagnostic::error(codes::METHOD_CANNOT, intermittent.place.clone(), message).help(accept.clone())
         };
         let condition = self.condition(plant, plan, intermittent);
         let Some(condition) = condition else {
-            let why = "000 Theorem 2 says nothing here: it needs k > 0, and bounded slopes over declared ranges";
+            let why = "000 Theorem 2 says nothing here: it needs continuous time, k > 0 for which `A1 + k I` can be \
+                       inverted, and bounded slopes over declared ranges";
             notes.push(why.into());
             return Err(unproved("convergence at irregular times is not proved for this plant".into()).label(why));
         };
@@ -337,8 +367,9 @@ impl Keys {
         notes.push(format!("000 Theorem 2 does not hold: T mu = {factor}, mu = {} 1/s", short(condition.mu)));
         let message = "the condition of 000 Theorem 2 for irregular measurements does not hold";
         Err(unproved(message.into())
-            .label(format!("T mu = {factor}, {factor} times too large"))
-            .measured(condition.product))
+            .label(format!("T mu = {factor}; it must be below 1"))
+            .measured(condition.product)
+            .help(format!("{accept}; or at most {} s between measurements", short(1.0 / condition.mu))))
     }
 
     fn condition(&self, plant: &Plant, plan: &Plan, intermittent: &Intermittent) -> Option<Condition> {
@@ -384,8 +415,8 @@ fn lipschitz(
 }
 
 impl Intermittent {
-    /// The longest gap in samples; both times must be whole samples, the first not the longer.
-    fn steps(&self, plant: &Plant) -> Result<usize, Vec<Diagnostic>> {
+    /// The gaps in samples; both times must be whole samples, the first not the longer.
+    fn steps(&self, plant: &Plant) -> Result<RangeInclusive<usize>, Vec<Diagnostic>> {
         let mut found = Vec::new();
         let mut steps = |time: &Quantity, what: &str| {
             let value = plant.constant(time, &mut found)?;
@@ -394,7 +425,7 @@ impl Intermittent {
         let min = steps(&self.min, "the shortest time between measurements");
         let max = steps(&self.max, "the longest time between measurements");
         match (min, max) {
-            (Some(min), Some(max)) if (1..=max).contains(&min) => Ok(max),
+            (Some(min), Some(max)) if (1..=max).contains(&min) => Ok(min..=max),
             (Some(min), Some(max)) => {
                 let message = "`intermittent` needs 0 < min <= max";
                 let error = Diagnostic::error(codes::BAD_NUMBER, self.place.clone(), message);
@@ -427,7 +458,7 @@ impl Intermittent {
         steps: usize,
         condition: f64,
     ) -> Result<Design, Vec<Diagnostic>> {
-        let most = self.steps(plant)?;
+        let most = *self.steps(plant)?.end();
         let delays = vec![0; plant.outputs.len()];
         let (mut functional, exact, mut numerics) = settle(plant, signals, &delays, steps, &Choice::LeastSquares)?;
         numerics.condition = condition;
@@ -535,7 +566,7 @@ impl Plan {
     }
 
     fn notes(&self, keys: &Keys, unbiasedness: f64) -> Vec<String> {
-        if keys.continuous {
+        if keys.form.0 {
             let note = "integrals from samples leave this share of the state at the window's start";
             return vec![format!("{note}: {}", short(unbiasedness))];
         }
@@ -547,7 +578,7 @@ impl Plan {
         let p = Precision::bits(4 * 256);
         let named = |letter: &'static str, m: &Matrix| NamedMatrix { letter, rows: m.to_f64() };
         let scalar = |letter: &'static str, x: &Real| NamedMatrix { letter, rows: vec![vec![x.to_f64()]] };
-        if keys.continuous {
+        if keys.form.0 {
             let (c, _, _) = self.form(keys).constants(plant, &self.signals, p)?;
             let mut all = vec![
                 named("A1", &c.a1),

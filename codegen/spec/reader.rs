@@ -77,7 +77,11 @@ impl<'a> Table<'a> {
         let found = format!("this is {}", kind_of(value.get_ref()));
         let error = Diagnostic::error(codes::WRONG_TYPE, value.span(), message).label(found);
         let is_number = matches!(value.get_ref(), DeValue::Integer(_) | DeValue::Float(_));
-        self.report(if is_number && wanted == "a string" { error.help("write it in quotes") } else { error });
+        self.report(match wanted {
+            "a string" if is_number => error.help("write it in quotes"),
+            "a table" => error.help(format!("write `{key} = {{ … }}` with its keys inside")),
+            _ => error,
+        });
     }
 
     /// Says that a key must be there.

@@ -41,6 +41,8 @@ pub struct Constants {
     pub decay: Real,
     /// `e^{-(A1' + 2kI) tau}`.
     pub psi2: Matrix,
+    /// What outputs count by, squared, p x p: S and N have it between lambda' and lambda.
+    pub weight: Matrix,
 }
 
 /// Why there are none.
@@ -84,7 +86,7 @@ impl Constants {
         let decay = (-(k * tau)).checked_exp().map_err(|_| Refused::Singular)?;
         let unstable = &a1.transpose() + &Matrix::identity(rest, precision).scale(k).shifted(1);
         let psi2 = exponential(&-&unstable.scale(tau))?;
-        Ok(Self { a1, a2, s, n, r, s_inverse, h, decay, psi2 })
+        Ok(Self { a1, a2, s, n, r, s_inverse, h, decay, psi2, weight })
     }
 }
 

@@ -6,6 +6,8 @@
 //! very conservative. The linear part's error is itself a linear recursion: with a measurement every g samples
 //! its map over g samples is a matrix, and its spectral radius predicts what happens.
 
+use std::ops::RangeInclusive;
+
 use nalgebra::{DMatrix, Schur};
 
 use crate::real::{Matrix, Real, exponential, singular_values};
@@ -17,6 +19,12 @@ use super::continuous::Constants;
 const PANELS: usize = 400;
 /// The largest error map whose eigenvalues are computed.
 const LARGEST: usize = 600;
+/// Up to so many times its rows cubed, for every gap; beyond, for the longest gap only.
+const MOST_EXACT: usize = 30_000_000;
+/// Half of the periods that are iterated at least.
+const WARM: usize = 64;
+/// The most work of half the iterations of all gaps together, in products; beyond, some gaps are left out.
+const MOST_ITERATED: usize = 200_000_000;
 /// Sweeps of the QR algorithm before it is given up.
 const SWEEPS: usize = 100_000;
 
@@ -41,7 +49,8 @@ impl Condition {
     pub fn new(constants: &Constants, k: f64, tau: f64, gap: f64, (k1, k2): (f64, f64)) -> Option<Self> {
         let exp = deadbeat_math::exp_f64;
         let (a1, a2) = (norm(&constants.a1), norm(&constants.a2));
-        let s_inverse = norm(&constants.s_inverse);
+        // Where outputs count by their noise, every integral of (38) has their weight in it.
+        let s_inverse = norm(&constants.s_inverse) * norm(&constants.weight);
         let h = norm(constants.h.as_ref()?);
         let lambda = lambda_norms(constants, k, tau)?;
         let d = tau / super::count(PANELS);
@@ -105,22 +114,49 @@ pub struct Lifted {
 }
 
 impl Lifted {
-    /// From the functional's weights and `C Phi`, with a measurement every `gap` samples.
+    /// Of all gaps the one after which an error takes most calls to die out, or the shortest with which it does not.
     ///
-    /// Exact where the map has at most 600 rows; above, the mean contraction over 64 periods of an arbitrary error.
-    pub fn new(functional: &Functional, output_next: &[Vec<f64>], gap: usize) -> Option<Self> {
+    /// The longest need not be the worst: where plant and weights swing, a shorter one may meet them. Of windows with
+    /// more than 600 rows the contraction is that of two errors; gaps whose work is too much are thinned, but the
+    /// longest is always looked at.
+    pub fn slowest(
+        functional: &Functional,
+        output_next: &[Vec<f64>],
+        gaps: RangeInclusive<usize>,
+    ) -> Option<(usize, Self)> {
         let errors = Errors::new(functional, output_next);
-        let period = |window: &mut Vec<f64>| errors.period(window, gap);
-        let size = errors.rows.len() * errors.outputs;
-        if size > LARGEST {
-            return Some(Self::by_iteration(&period, size));
+        let (size, longest) = (errors.size(), *gaps.end());
+        let all = size.saturating_pow(3).saturating_mul(gaps.clone().count()) <= MOST_EXACT;
+        let calls = gaps.clone().map(|gap| gap * errors.warm(gap)).sum::<usize>();
+        let work = calls.saturating_mul(size * errors.outputs);
+        let mut looked_at: Vec<usize> = gaps.rev().step_by(work.div_ceil(MOST_ITERATED).max(1)).collect();
+        looked_at.reverse();
+        let mut slowest: Option<(usize, Self)> = None;
+        for gap in looked_at {
+            let exact = size <= LARGEST && (all || gap == longest);
+            let lifted = match gap {
+                // An error leaves with its sample; all eigenvalues are zero, which no algorithm finds.
+                1 => Self { radius: 0.0, periods: Some(errors.rows.len()) },
+                _ if exact => Self::exact(&errors, gap)?,
+                _ => Self::by_iteration(&errors, gap),
+            };
+            let Some(periods) = lifted.periods.filter(|_| lifted.radius < 1.0) else { return Some((gap, lifted)) };
+            let calls = |(gap, lifted): (usize, Self)| lifted.periods.map_or(0, |periods| periods * gap);
+            if slowest.is_none_or(|slowest| calls(slowest) <= periods * gap) {
+                slowest = Some((gap, lifted));
+            }
         }
+        slowest
+    }
+
+    fn exact(errors: &Errors, gap: usize) -> Option<Self> {
+        let size = errors.size();
         let mut map = DMatrix::zeros(size, size);
         for j in 0..size {
-            let mut errors = vec![0.0; size];
-            errors[j] = 1.0;
-            period(&mut errors);
-            map.set_column(j, &nalgebra::DVector::from_vec(errors));
+            let mut window = vec![0.0; size];
+            window[j] = 1.0;
+            errors.period(&mut window, gap);
+            map.set_column(j, &nalgebra::DVector::from_vec(window));
         }
         let schur = Schur::try_new(map.clone(), f64::EPSILON, SWEEPS)?;
         let eigenvalues = schur.complex_eigenvalues();
@@ -128,30 +164,44 @@ impl Lifted {
         Some(Self { radius, periods: contraction(&map, radius) })
     }
 
-    fn by_iteration(period: &dyn Fn(&mut Vec<f64>), size: usize) -> Self {
-        const WARM: i32 = 64;
-        let mut errors: Vec<f64> = (0..size).map(|j| if j % 3 == 0 { 1.0 } else { -0.5 }).collect();
-        let mut logarithm = 0.0;
+    /// From what becomes of two errors: one that all samples share, and one that swings.
+    fn by_iteration(errors: &Errors, gap: usize) -> Self {
+        let swinging = (0..errors.size()).map(|j| if j % 3 == 0 { 1.0 } else { -0.5 }).collect();
+        let (one, two) = (Self::of(errors, gap, vec![1.0; errors.size()]), Self::of(errors, gap, swinging));
+        let periods = one.periods.zip(two.periods).map(|(one, two)| one.max(two));
+        Self { radius: one.radius.max(two.radius), periods }
+    }
+
+    /// From what becomes of an error whose largest entry is 1.
+    fn of(errors: &Errors, gap: usize, mut window: Vec<f64>) -> Self {
+        let half = errors.warm(gap);
+        let contracted = deadbeat_math::log_f64(crate::design::CONTRACTED);
+        // Of what is left: the logarithm now, and after the first half.
+        let (mut left, mut warm) = (0.0, 0.0);
         let mut periods = None;
-        for step in 1..=2 * WARM {
-            period(&mut errors);
-            let size = errors.iter().fold(0.0_f64, |largest, e| largest.max(e.abs()));
+        for step in 1..=2 * half {
+            errors.period(&mut window, gap);
+            let size = window.iter().fold(0.0_f64, |largest, e| largest.max(e.abs()));
             if size == 0.0 {
-                return Self { radius: 0.0, periods: usize::try_from(step).ok() };
+                return Self { radius: 0.0, periods: periods.or(Some(step)) };
             }
-            errors.iter_mut().for_each(|e| *e /= size);
-            if step > WARM {
-                logarithm += deadbeat_math::log_f64(size);
+            window.iter_mut().for_each(|e| *e /= size);
+            left += deadbeat_math::log_f64(size);
+            if step == half {
+                warm = left;
+            }
+            if left < contracted {
+                periods = periods.or(Some(step));
             }
         }
-        let radius = deadbeat_math::exp_f64(logarithm / f64::from(WARM));
-        if radius < 1.0 {
-            let needed = deadbeat_math::log_f64(crate::design::CONTRACTED) / deadbeat_math::log_f64(radius);
+        let rate = (left - warm) / super::count(half);
+        if rate < 0.0 && periods.is_none() {
+            let needed = super::count(2 * half) + (contracted - left) / rate;
             #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "positive and clamped")]
             let needed = needed.ceil().clamp(1.0, 1e9) as usize;
             periods = Some(needed);
         }
-        Self { radius, periods }
+        Self { radius: deadbeat_math::exp_f64(rate), periods }
     }
 }
 
@@ -170,6 +220,16 @@ impl Errors {
         };
         let row = |age: usize| (0..outputs * outputs).map(|at| entry(age, at / outputs, at % outputs)).collect();
         Self { outputs, rows: (0..=functional.steps).map(row).collect() }
+    }
+
+    /// Of a window's errors.
+    fn size(&self) -> usize {
+        self.rows.len() * self.outputs
+    }
+
+    /// Periods after which a window's first errors have left it twice over.
+    fn warm(&self, gap: usize) -> usize {
+        WARM.max(2 * self.rows.len().div_ceil(gap))
     }
 
     /// The error of the prediction that takes a sample's place.
@@ -267,4 +327,32 @@ fn contraction(map: &DMatrix<f64>, radius: f64) -> Option<usize> {
         }
     }
     Some(count + 1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::design::Shape;
+    use crate::method::designed;
+
+    const MOTOR: &str = include_str!("../../specs/motor_intermittent.toml");
+
+    /// Windows that are too long for eigenvalues: the iteration finds what they say of one that is not.
+    #[test]
+    fn the_iteration_agrees_with_the_eigenvalues() {
+        for k in [20, 100] {
+            let (_, design) = designed(&MOTOR.replace("k = 20", &format!("k = {k}"))).unwrap();
+            let Shape::Window(functional) = &design.shape;
+            let phi = &design.constants.iter().find(|c| c.letter == "Phi").unwrap().rows;
+            let errors = Errors::new(functional, &phi[..1]);
+            for gap in [2, 5, 10, 16, 18, 19] {
+                let (exact, iterated) = (Lifted::exact(&errors, gap).unwrap(), Lifted::by_iteration(&errors, gap));
+                // Two errors are not all of them, and 128 periods not enough for every pair of near eigenvalues.
+                let near = |one: f64, other: f64| (one / other - 1.0).abs() < 0.1;
+                let periods = |lifted: Lifted| super::super::count(lifted.periods.unwrap());
+                assert!(near(iterated.radius, exact.radius), "{k}, {gap}: {iterated:?}, {exact:?}");
+                assert!(near(periods(iterated), periods(exact)), "{k}, {gap}: {iterated:?}, {exact:?}");
+            }
+        }
+    }
 }

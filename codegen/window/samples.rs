@@ -38,8 +38,15 @@ fn too_many(ratio: f64, span: &Range<usize>, what: &str) -> Diagnostic {
 }
 
 fn not_whole(ratio: f64, span: &Range<usize>, what: &str, h: f64) -> Diagnostic {
-    let (below, above) = (ratio.floor(), ratio.ceil());
+    let (below, above, nearest) = (ratio.floor(), ratio.ceil(), ratio.round());
     let choice = |samples: f64| format!("{} s has {} samples", show(samples * h), show(samples));
+    if nearest > 0.0 && show(ratio) == show(nearest) {
+        // A time such as 0.30000000000000004, the sum of two others in binary.
+        return Diagnostic::error(codes::NOT_WHOLE, span.clone(), format!("{what} is not a whole number of samples"))
+            .label(format!("not quite {} samples of {} s", show(nearest), show(h)))
+            .measured(ratio)
+            .help(format!("write {}", show(nearest * h)));
+    }
     let help = if below > 0.0 { format!("{}, {}", choice(below), choice(above)) } else { choice(above.max(1.0)) };
     Diagnostic::error(codes::NOT_WHOLE, span.clone(), format!("{what} is not a whole number of samples"))
         .label(format!("{} samples of {} s", show(ratio), show(h)))

@@ -175,7 +175,7 @@ impl Linear {
 }
 
 /// The exponential: halved until its norm is below 1/2, twenty terms of the series, squared again.
-fn exponential(matrix: &DMatrix<f64>) -> DMatrix<f64> {
+pub fn exponential(matrix: &DMatrix<f64>) -> DMatrix<f64> {
     let norm = matrix.row_iter().map(|row| row.iter().map(|x| x.abs()).sum::<f64>()).fold(0.0, f64::max);
     let halvings = (0..60).find(|s| norm * 0.5_f64.powi(*s) < 0.5).unwrap();
     let small = matrix * 0.5_f64.powi(halvings);
