@@ -66,7 +66,7 @@ fn measured_at(run: &Run, measured: impl Fn(usize) -> bool) -> Run {
     let mut run = run.clone();
     for (call, sample) in run.measurements.iter_mut().enumerate() {
         if !measured(call) {
-            sample.iter_mut().for_each(|y| *y = f64::NAN);
+            sample.fill(f64::NAN);
         }
     }
     run

@@ -176,7 +176,7 @@ impl Column {
 
 /// Theorem 1: every column that is recorded to 1e-13 of its scale, and `xi_e` is `xi_1` once the delay is over.
 ///
-/// One column is not recorded so well: psi_2 for k = 150 is wrong by 5.4e-13 of its scale at its first record, as
+/// One column is not recorded so well: `psi_2` for k = 150 is wrong by 5.4e-13 of its scale at its first record, as
 /// [`the_first_fifty_milliseconds_are_those_of_mpmath`] shows.
 #[test]
 fn the_dynamic_extension_runs_as_recorded() {

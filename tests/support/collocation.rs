@@ -1,6 +1,9 @@
 //! Gauss collocation with a fixed step: order twice the stages, solved by fixed-point iteration. Where the step
 //! divides a delay, delayed values exist at the very same stages, so that delays cost no accuracy.
 
+/// The slope of x at a stage and a time.
+pub type Slope<'a> = &'a dyn Fn(usize, f64, &[f64]) -> Vec<f64>;
+
 /// The method.
 pub struct Collocation {
     /// c, in (0, 1).
@@ -27,13 +30,7 @@ impl Collocation {
     }
 
     /// x(t + h) of x' = rhs(stage, t, x), and x at the stages.
-    pub fn step(
-        &self,
-        rhs: &dyn Fn(usize, f64, &[f64]) -> Vec<f64>,
-        t: f64,
-        h: f64,
-        x: &[f64],
-    ) -> (Vec<f64>, Vec<Vec<f64>>) {
+    pub fn step(&self, rhs: Slope, t: f64, h: f64, x: &[f64]) -> (Vec<f64>, Vec<Vec<f64>>) {
         // Each iteration gains a digit or more where h times the fastest rate is below 1.
         const ITERATIONS: usize = 30;
         let advanced = |factors: &[f64], slopes: &[Vec<f64>]| -> Vec<f64> {
