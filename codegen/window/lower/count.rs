@@ -52,7 +52,8 @@ impl Lowering<'_> {
             let raised = self.builder.select(longer, stays, coasting);
             coasting = self.builder.select(*good, coasting, raised);
         }
-        let stays = self.builder.index(window);
+        // What a prediction has brought in dies out by itself only where every sample renews the window.
+        let stays = self.builder.index(window.max(settled(self.functional)));
         coasting = self.builder.select(sampled.newest_good, coasting, stays);
         self.builder.set(self.cells.coasting, coasting);
     }
