@@ -87,14 +87,14 @@ fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
 }
 
 /// Bits at which observability is judged; a tolerance of half of them is far from any rounding.
-const VERDICT_BITS: usize = 256;
+pub(super) const VERDICT_BITS: usize = 256;
 /// Bits at which the window itself is judged, until its rank is full: growing modes need more.
 const VERDICTS: [usize; 3] = [VERDICT_BITS, 1_024, 4_096];
 
 impl Keyed for Keys {
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {
-        let mut found = refuse_unknowns(plant);
-        let steps = self.steps(plant, &mut found);
+        let mut found = refuse_unknowns(plant, METHOD.name);
+        let steps = steps(&self.window, plant, &mut found);
         let delays = delays(plant, &mut found);
         let (Some(steps), Some(delays)) = (steps, delays) else { return Err(found) };
         let span = self.window.span();
@@ -147,25 +147,25 @@ impl Keys {
         };
         format!("{what} over the last {} samples ({} s at {h} s), stateless", steps + 1, trimmed(seconds(steps, h)))
     }
-
-    /// N.
-    fn steps(&self, plant: &Plant, found: &mut Vec<Diagnostic>) -> Option<usize> {
-        let span = self.window.span();
-        let window = plant.constant(&self.window, found)?;
-        let seconds = window.to_f64().unwrap_or(f64::NAN);
-        if seconds <= 0.0 || !seconds.is_finite() {
-            let message = format!("the window must be longer than 0 s, not {}", show(seconds));
-            let error = Diagnostic::error(codes::BAD_NUMBER, span, message).measured(seconds);
-            found.push(error.help("write the seconds after which the estimate is to be exact"));
-            return None;
-        }
-        whole_samples(&window, &span, "the window", plant, found)
-    }
 }
 
-fn refuse_unknowns(plant: &Plant) -> Vec<Diagnostic> {
+/// N, for the key `window`.
+pub(super) fn steps(window: &Quantity, plant: &Plant, found: &mut Vec<Diagnostic>) -> Option<usize> {
+    let span = window.span();
+    let length = plant.constant(window, found)?;
+    let seconds = length.to_f64().unwrap_or(f64::NAN);
+    if seconds <= 0.0 || !seconds.is_finite() {
+        let message = format!("the window must be longer than 0 s, not {}", show(seconds));
+        let error = Diagnostic::error(codes::BAD_NUMBER, span, message).measured(seconds);
+        found.push(error.help("write the seconds after which the estimate is to be exact"));
+        return None;
+    }
+    whole_samples(&length, &span, "the window", plant, found)
+}
+
+pub(super) fn refuse_unknowns(plant: &Plant, method: &str) -> Vec<Diagnostic> {
     let refuse = |unknown: &crate::plant::Unknown| {
-        let message = format!("the method `window` does not estimate the unknown `{}`", unknown.label.name);
+        let message = format!("the method `{method}` does not estimate the unknown `{}`", unknown.label.name);
         Diagnostic::error(codes::METHOD_CANNOT, unknown.label.span.clone(), message)
             .context(plant.span.clone(), "this method estimates states only")
             .help("declare it as a state whose derivative is '0'; the method that takes unknown constants as such is `parameters`")
@@ -174,7 +174,7 @@ fn refuse_unknowns(plant: &Plant) -> Vec<Diagnostic> {
 }
 
 /// Whole samples of delay, per output.
-fn delays(plant: &Plant, found: &mut Vec<Diagnostic>) -> Option<Vec<usize>> {
+pub(super) fn delays(plant: &Plant, found: &mut Vec<Diagnostic>) -> Option<Vec<usize>> {
     let delays: Vec<Option<usize>> = plant
         .outputs
         .iter()
@@ -188,7 +188,7 @@ fn delays(plant: &Plant, found: &mut Vec<Diagnostic>) -> Option<Vec<usize>> {
     delays.into_iter().collect()
 }
 
-fn refuse_long_delays(
+pub(super) fn refuse_long_delays(
     plant: &Plant,
     delays: &[usize],
     steps: usize,
@@ -210,7 +210,12 @@ fn refuse_long_delays(
 }
 
 /// Whether the outputs show every state, and within this window; the condition number.
-fn verdict(plant: &Plant, delays: &[usize], steps: usize, window: &Range<usize>) -> Result<f64, Vec<Diagnostic>> {
+pub(super) fn verdict(
+    plant: &Plant,
+    delays: &[usize],
+    steps: usize,
+    window: &Range<usize>,
+) -> Result<f64, Vec<Diagnostic>> {
     let n = plant.states.len();
     let p = Precision::bits(VERDICT_BITS);
     let model = Model::new(plant, &[], p)?;
@@ -310,7 +315,7 @@ fn unobservable(plant: &Plant, rows: &Matrix, values: &[f64]) -> Diagnostic {
         .help(format!("measure {} as well, or leave the part that no output shows out of the model", one_of(&names)))
 }
 
-fn one_of(names: &[&str]) -> String {
+pub(super) fn one_of(names: &[&str]) -> String {
     match names {
         [one] => format!("`{one}`"),
         _ => format!("one of {}", List(names)),
@@ -318,7 +323,7 @@ fn one_of(names: &[&str]) -> String {
 }
 
 /// Time since init loses its last digits in single precision, and ends when the calls have been counted.
-fn time_warning(plant: &Plant) -> Option<Diagnostic> {
+pub(super) fn time_warning(plant: &Plant) -> Option<Diagnostic> {
     use crate::expr::Symbol;
     let timed = plant.injections.iter().find(|i| i.symbols().contains(&Symbol::Time))?;
     let span = timed.node.span.clone();
@@ -337,12 +342,12 @@ fn time_warning(plant: &Plant) -> Option<Diagnostic> {
     )
 }
 
-fn constants(model: &Model) -> Vec<NamedMatrix> {
+pub(super) fn constants(model: &Model) -> Vec<NamedMatrix> {
     vec![NamedMatrix { letter: "Phi", rows: model.phi.to_f64() }, NamedMatrix { letter: "C", rows: model.c.to_f64() }]
 }
 
 /// Samples that lose more by being stored in single precision than the noise that is declared.
-fn resolution_warnings(plant: &Plant) -> Vec<Diagnostic> {
+pub(super) fn resolution_warnings(plant: &Plant) -> Vec<Diagnostic> {
     let single = plant.scalar == Scalar::F32;
     plant.outputs.iter().filter(|_| single).filter_map(resolution_warning).collect()
 }
@@ -363,7 +368,7 @@ fn resolution_warning(output: &crate::plant::Output) -> Option<Diagnostic> {
 }
 
 /// K and M by age, for reports.
-fn fir(plant: &Plant, functional: &Functional) -> Fir {
+pub(super) fn fir(plant: &Plant, functional: &Functional) -> Fir {
     let n = plant.states.len();
     let by_age = |entry: &dyn Fn(usize, usize) -> Vec<f64>| -> Vec<Vec<Vec<f64>>> {
         (0..=functional.steps).map(|age| (0..n).map(|i| entry(age, i)).collect()).collect()

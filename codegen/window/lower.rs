@@ -7,13 +7,13 @@
 //! No input makes the state non-finite: a sample enters a ring only if it is within `Guard`'s
 //! bound, chosen such that no sum over the window and no prediction can overflow.
 
-mod cells;
+pub(crate) mod cells;
 mod count;
-mod guard;
-mod injections;
+pub(crate) mod guard;
+pub(crate) mod injections;
 mod predict;
-mod report;
-mod sample;
+pub(crate) mod report;
+pub(crate) mod sample;
 mod sums;
 
 use crate::design::Settled;
@@ -127,10 +127,10 @@ fn late_len(functional: &Functional, output: usize) -> u32 {
     u32::try_from(functional.delays[output]).unwrap_or_else(|_| unreachable!("delays are bounded"))
 }
 
-fn field(name: &str, unit: &str, doc: &str) -> Field {
+pub(crate) fn field(name: &str, unit: &str, doc: &str) -> Field {
     Field { name: name.to_owned(), unit: unit.to_owned(), doc: doc.to_owned() }
 }
 
-fn place(index: usize) -> u16 {
+pub(crate) fn place(index: usize) -> u16 {
     u16::try_from(index).unwrap_or_else(|_| unreachable!("a plant has at most 256 of each"))
 }

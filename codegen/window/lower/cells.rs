@@ -87,12 +87,12 @@ pub(super) fn declare(builder: &mut Builder, plant: &Plant, functional: &Functio
     Cells { outputs, signals, inputs, newest, count, missed, coasting, ahead, late, calls }
 }
 
-fn bracketed(unit: &str) -> String {
+pub(crate) fn bracketed(unit: &str) -> String {
     if unit.is_empty() { String::new() } else { format!(", {unit}") }
 }
 
 /// An expression's text as a name.
-fn identifier(text: &str) -> String {
+pub(crate) fn identifier(text: &str) -> String {
     const LONGEST: usize = 32;
     let mut name = String::new();
     for c in text.chars() {

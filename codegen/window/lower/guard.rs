@@ -28,7 +28,11 @@ impl Guard {
     /// Finds the bound; a weight or range that the target's floats cannot hold is an error.
     pub fn new(plant: &Plant, functional: &Functional) -> Result<Self, Vec<Diagnostic>> {
         refuse_lost_weights(plant, functional)?;
-        let gain = largest_gain(plant, functional);
+        Self::with_gain(plant, largest_gain(plant, functional))
+    }
+
+    /// The same for another step, whose largest sum for samples of magnitude 1 is given.
+    pub(crate) fn with_gain(plant: &Plant, gain: f64) -> Result<Self, Vec<Diagnostic>> {
         let (largest, exponents) = match plant.scalar {
             Scalar::F32 => (f64::from(f32::MAX), 0..=37),
             Scalar::F64 => (f64::MAX, 0..=307),
@@ -83,7 +87,7 @@ fn refuse_lost_weights(plant: &Plant, functional: &Functional) -> Result<(), Vec
     }
 }
 
-fn lost(plant: &Plant, what: &str, weight: f64) -> Diagnostic {
+pub(crate) fn lost(plant: &Plant, what: &str, weight: f64) -> Diagnostic {
     let message = format!("a weight of the design is too {what} for {}", plant.scalar);
     Diagnostic::error(codes::OUT_OF_RANGE, plant.span.clone(), message)
         .label(format!("this design has {weight:.1e}"))
