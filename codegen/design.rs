@@ -5,6 +5,7 @@
 //! A Design knows no language.
 
 use crate::diagnostic::Diagnostic;
+use crate::impulsive::{self, Impulsive};
 use crate::plant::Plant;
 use crate::program::{Program, Scalar};
 use crate::real::Real;
@@ -152,6 +153,8 @@ pub struct Design {
 pub enum Shape {
     /// A functional over the last N samples.
     Window(Functional),
+    /// Two copies, reset every N calls.
+    Impulsive(Impulsive),
 }
 
 impl Design {
@@ -159,6 +162,7 @@ impl Design {
     pub fn lower(&self, plant: &Plant) -> Result<Program, Vec<Diagnostic>> {
         match &self.shape {
             Shape::Window(functional) => window::lower::lower(plant, functional),
+            Shape::Impulsive(design) => impulsive::lower::lower(plant, design),
         }
     }
 }

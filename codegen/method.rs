@@ -3,6 +3,7 @@
 //! A method is one file: what it is, its keys, its design. It reads its own table of the
 //! specification ([`Method::read`]) and gives something that designs ([`Keyed`]).
 
+pub mod impulsive;
 pub mod window;
 
 use std::fmt::Debug;
@@ -14,7 +15,7 @@ use crate::plant::Plant;
 use crate::spec::reader::Table;
 
 /// All methods, in the order in which `deadbeat list` shows them.
-pub const METHODS: &[Method] = &[window::METHOD];
+pub const METHODS: &[Method] = &[window::METHOD, impulsive::METHOD];
 
 /// What a user can name in `[observer.<name>]`.
 pub struct Method {

@@ -13,7 +13,7 @@ use crate::window::Source;
 use crate::window::certificate::{Kernel, slope};
 
 use super::Calls;
-use super::errors::ErrorMap;
+use super::errors::{ErrorMap, MOST_PERIODS};
 use super::gain::{product, sum};
 use super::known::{Known, depends_on_outputs};
 
@@ -186,8 +186,8 @@ impl<'a> Maps<'a> {
     }
 
     fn is_over(&self, call: usize, errors: &Rows, peaks: &[f64]) -> bool {
-        let lasting = self.calls.every == 1 && call >= LASTING * self.calls.period;
-        lasting || errors.iter().zip(peaks).all(|(row, peak)| row.iter().all(|x| x.abs() <= OVER * peak))
+        let most = if self.calls.every == 1 { LASTING } else { 2 * MOST_PERIODS };
+        call >= most * self.calls.period || errors.iter().zip(peaks).all(|(row, peak)| row.iter().all(|x| x.abs() <= OVER * peak))
     }
 }
 

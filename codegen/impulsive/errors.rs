@@ -143,7 +143,7 @@ pub fn spectral_radius(map: &Matrix) -> f64 {
 /// Bits at which powers of the period's map are taken.
 const POWER_BITS: usize = 256;
 /// The most periods that a convergence may take.
-const MOST_PERIODS: usize = 10_000;
+pub const MOST_PERIODS: usize = 300;
 
 /// Periods after which [`CONTRACTED`] of an initial error is left, in the 2-norm; `None` when they are too many.
 pub fn periods(map: &Matrix) -> Option<usize> {

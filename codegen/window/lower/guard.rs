@@ -15,6 +15,7 @@ use super::super::{Functional, Prediction};
 use super::injections::{round, scale_of};
 
 /// Bounds on what may enter the state.
+#[derive(Debug)]
 pub struct Guard {
     /// On inputs, injections and outputs without a range.
     pub bound: f64,
