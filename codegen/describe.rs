@@ -202,12 +202,10 @@ fn certificate(generated: &Generated) -> Vec<String> {
     }
     let mut lines = align(&rows);
     if !bounded && plant.outputs.iter().all(|o| o.noise.is_some()) {
-        lines.push("  no error bound: the slope of a nonlinear term is not bounded over the declared ranges".into());
+        lines.push(format!("  {}", generated.design.unbounded()));
     }
     if !plant.discrete && plant.injections.iter().any(|i| i.symbols().iter().any(|s| !matches!(s, Symbol::Input(_)))) {
-        lines.push(
-            "  on top: nonlinear terms are straight lines between samples, second order in the sample time".into(),
-        );
+        lines.push(format!("  on top: {}", generated.design.between_samples()));
     }
     lines
 }

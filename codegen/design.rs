@@ -5,7 +5,7 @@
 //! A Design knows no language.
 
 use crate::diagnostic::Diagnostic;
-use crate::impulsive::{self, Impulsive};
+use crate::impulsive::{self, Between, Impulsive};
 use crate::plant::Plant;
 use crate::program::{Program, Scalar};
 use crate::real::Real;
@@ -158,6 +158,26 @@ pub enum Shape {
 }
 
 impl Design {
+    /// What stands between samples for what varies there, and what it costs; for the certificate.
+    pub fn between_samples(&self) -> &'static str {
+        match &self.shape {
+            Shape::Impulsive(design) if design.between == Between::Cubic => {
+                "nonlinear terms are third-order polynomials between samples, fourth order in the sample time"
+            }
+            _ => "nonlinear terms are straight lines between samples, second order in the sample time",
+        }
+    }
+
+    /// Why there is no error bound although the noise is declared; for the certificate.
+    pub fn unbounded(&self) -> &'static str {
+        match &self.shape {
+            Shape::Impulsive(design) if design.calls.every > 1 => {
+                "no error bound: between measurements, an error goes through the nonlinear terms again and again"
+            }
+            _ => "no error bound: the slope of a nonlinear term is not bounded over the declared ranges",
+        }
+    }
+
     /// The step as a Program.
     pub fn lower(&self, plant: &Plant) -> Result<Program, Vec<Diagnostic>> {
         match &self.shape {

@@ -22,6 +22,7 @@ pub mod guard;
 pub mod known;
 pub mod lower;
 pub mod settle;
+pub mod slopes;
 pub mod theorem;
 
 use crate::design::Settled;

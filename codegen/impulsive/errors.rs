@@ -52,7 +52,11 @@ impl ErrorMap {
         };
         let mut prediction = zeros(p, size);
         prediction.set_block(0, 0, &exact.predictor.copy);
-        prediction.set_block(0, 2 * rest, &exact.predictor.outputs[1]);
+        for (age, of_output) in exact.predictor.outputs.iter().enumerate().skip(1) {
+            prediction.set_block(0, 2 * rest + p * (age - 1), of_output);
+        }
+        // What a prediction does to itself, by way of terms that are evaluated at it.
+        prediction = &prediction + &(&exact.predictor.outputs[0] * &prediction);
         let row = |update: &ExactUpdate, place: usize| {
             let mut row = zeros(rest, size);
             row.set_block(0, place, &update.copy);

@@ -294,9 +294,4 @@ impl Exact {
         let scale = p.max_abs();
         if left.is_zero() { 0.0 } else { left.checked_div(&scale).map_or(f64::INFINITY, |ratio| ratio.to_f64()) }
     }
-
-    /// By how much the reset multiplies a rounding error, whatever the units of the states.
-    pub fn amplification(&self) -> f64 {
-        crate::real::balance::balanced(&self.pair.x).0.norm_inf().to_f64()
-    }
 }

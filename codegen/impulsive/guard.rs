@@ -124,9 +124,7 @@ impl Multiples {
         let starts: Vec<f64> = design.rest.iter().map(initial).collect();
 
         // From a common start at 0: what N+1 samples give, by the copies' weights in the reset from its call back.
-        let mut kept = reset.clone();
-        kept.iter_mut().enumerate().for_each(|(i, row)| row[i] += 1.0);
-        let mut taken: Rows = reset.iter().map(|row| row.iter().map(|x| -x).collect()).collect();
+        let [mut kept, mut taken] = super::gain::both(&reset);
         let mut given = sizes(&product(&reset, &gain));
         for _ in 0..design.calls.period {
             let weights = super::gain::sum(&product(&kept, &into_first), &product(&taken, &into_second));

@@ -24,9 +24,10 @@ use crate::expr::{Constant, List};
 use crate::impulsive::certificate::{certify, longest_period};
 use crate::impulsive::errors::{ErrorMap, MOST_PERIODS, periods, spectral_radius};
 use crate::impulsive::exact::{Choice, Continuous, Exact, Failure, in_continuous_time};
-use crate::impulsive::gain::search;
+use crate::impulsive::gain::{Size, search};
 use crate::impulsive::known::{Known, Run, depends_on_outputs, knowns};
 use crate::impulsive::settle::settle;
+use crate::impulsive::slopes::{corners, sloped};
 use crate::impulsive::theorem::{Theorem2, lipschitz, named};
 use crate::impulsive::{Between, Calls, Form};
 use crate::plant::Plant;
@@ -124,12 +125,12 @@ impl Keyed for Keys {
         let settled = settle(plant, &choice, &knowns, calls).map_err(|failure| self.said(plant, failure))?;
         let (mut shape, exact, mut numerics) = settled;
         numerics.condition = condition;
-        self.refuse_lost_digits(plant, &exact)?;
+        self.refuse_lost_digits(plant, &exact, period)?;
 
         let map = ErrorMap::new(&exact);
         let mut notes = vec![self.gain_note(plant, &choice)];
         let mut warnings: Vec<Diagnostic> = time_warning(plant).into_iter().chain(resolution_warnings(plant)).collect();
-        let convergence = self.convergence(plant, &mut shape.calls, &map, &mut notes)?;
+        let convergence = self.convergence(plant, &mut shape.calls, (&exact, &knowns), &map, &mut notes)?;
         let theorem = self.theorem(plant, &choice, &shape.calls, &mut notes, &mut warnings)?;
         let certificate = certify(plant, &knowns, &map, &shape.calls);
         Ok(Design {
@@ -254,12 +255,17 @@ impl Keys {
     }
 
     /// A reset that multiplies rounding errors by so much that nothing is left of the float.
-    fn refuse_lost_digits(&self, plant: &Plant, exact: &Exact) -> Result<(), Vec<Diagnostic>> {
+    fn refuse_lost_digits(&self, plant: &Plant, exact: &Exact, period: usize) -> Result<(), Vec<Diagnostic>> {
         let unit = match plant.scalar {
             Scalar::F32 => f64::from(f32::EPSILON),
             Scalar::F64 => f64::EPSILON,
         };
-        let factor = exact.amplification();
+        let blocks = exact.coordinates.blocks(&exact.phi);
+        let gain = exact.gain.to_f64();
+        let trust = vec![1.0; plant.outputs.len()];
+        let copies = [&exact.first.copy, &exact.second.copy];
+        let size = Size::new(&blocks, &trust, period);
+        let factor = size.map_or(f64::INFINITY, |size| size.amplification(copies, &exact.pair.x, &gain, period));
         if factor * unit * DIGITS_LEFT <= 1.0 {
             return Ok(());
         }
@@ -267,7 +273,7 @@ impl Keys {
         let message = format!("the two copies are too alike for {}", plant.scalar);
         let help = if self.gain.is_some() { "write `L = \"auto\"`" } else { "a longer window, or `scalar = \"f64\"`" };
         let error = Diagnostic::error(codes::METHOD_CANNOT, span, message)
-            .label(format!("the reset multiplies rounding errors by {factor:.1e}"));
+            .label(format!("a period and its reset multiply the rounding errors of a call by {factor:.1e}"));
         Err(vec![error.measured(factor).help(help)])
     }
 
@@ -286,6 +292,7 @@ impl Keys {
         &self,
         plant: &Plant,
         calls: &mut Calls,
+        (exact, knowns): (&Exact, &[Known]),
         map: &ErrorMap,
         notes: &mut Vec<String>,
     ) -> Result<Convergence, Vec<Diagnostic>> {
@@ -294,27 +301,45 @@ impl Keys {
             return Ok(Convergence::Finite);
         }
         let h = plant.sample_time_s();
-        let period = map.period(calls);
-        let radius = spectral_radius(&period);
+        let mut period = map.period(calls);
+        let mut radius = spectral_radius(&period);
         let (mu, nu) = (trimmed(seconds(calls.every, h)), trimmed(seconds(calls.period, h)));
         notes.push(format!(
             "Measured every {} calls, mu = {mu} s: the linear part's error map over {nu} s has the spectral radius {}",
             calls.every,
             crate::describe::short(radius)
         ));
-        let refuse = |message: &str| {
+        let refuse = |radius: f64, message: &str| {
             let help = "a smaller `measured_every`, or `L = \"auto\"`";
             let error = Diagnostic::error(codes::UNPROVED, self.every.1.clone(), message).measured(radius);
             vec![error.label(format!("spectral radius {radius:.4} from reset to reset")).help(help)]
         };
         if radius >= 1.0 {
-            return Err(refuse("the errors between measurements grow from reset to reset"));
+            return Err(refuse(radius, "the errors between measurements grow from reset to reset"));
+        }
+        let linear = !plant.injections.iter().any(|i| depends_on_outputs(&i.symbols()));
+        if !linear && let Some(corners) = corners(plant) {
+            for slopes in corners {
+                let map = ErrorMap::new(&sloped(exact, knowns, &slopes)).period(calls);
+                let sloped = spectral_radius(&map);
+                if sloped > radius {
+                    (radius, period) = (sloped, map);
+                }
+            }
+            let largest = crate::describe::short(radius);
+            notes.push(format!("  and with the slopes of the nonlinear terms at the ends of what is declared, at most {largest}"));
+            if radius >= 1.0 && !self.accept {
+                let message = "the errors between measurements grow where the nonlinear terms are steepest";
+                return Err(refuse(radius, message));
+            }
+        }
+        if radius >= 1.0 {
+            (period, radius) = (map.period(calls), spectral_radius(&map.period(calls)));
         }
         let Some(periods) = periods(&period) else {
-            return Err(refuse(&format!("the estimate needs more than {MOST_PERIODS} windows to converge")));
+            return Err(refuse(radius, &format!("the estimate needs more than {MOST_PERIODS} windows to converge")));
         };
         calls.converged = calls.warm_up + periods * calls.period;
-        let linear = !plant.injections.iter().any(|i| depends_on_outputs(&i.symbols()));
         let finite = linear && radius == 0.0 && self.form.0 == Form::Exact;
         Ok(if finite { Convergence::Finite } else { Convergence::Geometric { radius, period: calls.period } })
     }

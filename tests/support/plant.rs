@@ -279,7 +279,7 @@ fn largest<'a>(rows: impl Iterator<Item = &'a Vec<f64>>) -> Vec<f64> {
 
 /// The functional of a window design.
 pub fn functional(generated: &Generated) -> &Functional {
-    let Shape::Window(functional) = &generated.design.shape;
+    let Shape::Window(functional) = &generated.design.shape else { panic!("another shape than a window") };
     functional
 }
 
