@@ -16,6 +16,7 @@ mod plant;
 mod truths;
 
 use deadbeat_codegen::Generated;
+use deadbeat_codegen::design::Convergence;
 use deadbeat_codegen::program::Status;
 use plant::{Answers, Run, Truth, at_sample_time, corpus, designed, integration_rounding, rounding};
 use truths::{names, truth};
@@ -65,7 +66,9 @@ fn exact(name: &str, truth: &Truth, seed: u64) {
 fn nonlinear_plants_are_of_second_order() {
     for name in names() {
         let truth = truth_of(&name);
-        if !truth.exact {
+        // Where the convergence is geometric, an error is left that no sample time makes smaller.
+        let finite = || designed(&corpus(&name)).design.convergence == Convergence::Finite;
+        if !truth.exact && finite() {
             second_order(&name, &truth);
         }
     }
