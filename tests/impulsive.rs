@@ -21,7 +21,7 @@ use deadbeat_codegen::diagnostic::codes;
 use deadbeat_codegen::program::Status;
 use deadbeat_codegen::{Generated, Generator};
 use impulsive::{Linear, errors_at_resets, rounding};
-use plant::{Hold, Truth, advance, designed, matrix};
+use plant::{advance, designed, matrix};
 use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestRng, TestRunner};
 use serde_json::Value;
 
