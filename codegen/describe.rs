@@ -9,7 +9,6 @@ use crate::expr::Symbol;
 use crate::output::Language;
 use crate::plant::Plant;
 use crate::program::cost::cost;
-use crate::window::model::Between;
 use crate::{Generated, VERSION};
 
 /// How the first line of a generated file's provenance begins.
@@ -206,17 +205,13 @@ fn certificate(generated: &Generated) -> Vec<String> {
     }
     let mut lines = align(&rows);
     if !bounded && plant.outputs.iter().all(|o| o.noise.is_some()) {
-        lines.push("  no error bound: the slope of a nonlinear term is not bounded over the declared ranges".into());
+        lines.push(format!("  {}", generated.design.unbounded()));
     }
     let enters = |i: &&crate::plant::Injection| i.column.iter().any(|entry| !entry.is_zero());
     if !plant.discrete
         && plant.injections.iter().filter(enters).any(|i| i.symbols().iter().any(|s| !matches!(s, Symbol::Input(_))))
     {
-        let course = match generated.design.shape.between() {
-            Between::Lines | Between::Steps => "straight lines between samples, second order in the sample time",
-            Between::Cubics => "cubics between samples, fourth order in the sample time",
-        };
-        lines.push(format!("  on top: nonlinear terms are {course}"));
+        lines.push(format!("  on top: {}", generated.design.between_samples()));
     }
     lines
 }

@@ -5,6 +5,7 @@
 //! A Design knows no language.
 
 use crate::diagnostic::Diagnostic;
+use crate::impulsive::{self, Impulsive};
 use crate::plant::Plant;
 use crate::program::{Program, Scalar};
 use crate::real::Real;
@@ -156,6 +157,8 @@ pub enum Shape {
     Window(Functional),
     /// A regression over the last N samples.
     Regression(Box<Regression>),
+    /// Two copies, reset every N calls.
+    Impulsive(Box<Impulsive>),
 }
 
 impl Shape {
@@ -163,17 +166,42 @@ impl Shape {
     pub fn between(&self) -> Between {
         match self {
             Self::Window(functional) if functional.signals.iter().any(|s| s.part == Part::Curves) => Between::Cubics,
+            Self::Impulsive(design) => design.between,
             Self::Window(_) | Self::Regression(_) => Between::Lines,
         }
     }
 }
 
 impl Design {
+    /// What stands between samples for what varies there, and what it costs; for the certificate.
+    pub fn between_samples(&self) -> &'static str {
+        match self.shape.between() {
+            Between::Lines | Between::Steps => {
+                "nonlinear terms are straight lines between samples, second order in the sample time"
+            }
+            Between::Cubics => "nonlinear terms are cubics between samples, fourth order in the sample time",
+        }
+    }
+
+    /// Why there is no error bound although the noise is declared; for the certificate.
+    pub fn unbounded(&self) -> &'static str {
+        match &self.shape {
+            Shape::Window(functional) if functional.gaps.is_some() => {
+                "no error bound: what enters between measurements is carried on"
+            }
+            Shape::Impulsive(design) if design.calls.every > 1 => {
+                "no error bound: between measurements, an error goes through the nonlinear terms again and again"
+            }
+            _ => "no error bound: the slope of a nonlinear term is not bounded over the declared ranges",
+        }
+    }
+
     /// The step as a Program.
     pub fn lower(&self, plant: &Plant) -> Result<Program, Vec<Diagnostic>> {
         match &self.shape {
             Shape::Window(functional) => window::lower::lower(plant, functional),
             Shape::Regression(regression) => regression::lower::lower(plant, regression),
+            Shape::Impulsive(design) => impulsive::lower::lower(plant, design),
         }
     }
 }

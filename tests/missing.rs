@@ -16,13 +16,14 @@ mod plant;
 mod truths;
 
 use deadbeat_codegen::Generated;
+use deadbeat_codegen::design::Convergence;
 use deadbeat_codegen::program::interp::Interpreter;
 use deadbeat_codegen::program::{Scalar, Status};
 use plant::{
     Answers, Hold, Random, Run, Truth, UNIT, at_sample_time, corpus, delays, designed, designed_in, edited, functional,
 };
 use plant::{integration_rounding, matrix, rounding};
-use truths::{inverted_cart, late_position, names, truth};
+use truths::{inverted_cart, late_position, names, names_of, truth};
 
 use Status::{Coasting, Converged, Converging};
 
@@ -49,6 +50,10 @@ fn a_missing_sample_starts_the_window_again() {
     for name in names() {
         let truth = truth(&name).unwrap();
         let generated = designed(&corpus(&name));
+        // Where not every call is measured, a sample between measurements is not missed.
+        if generated.design.convergence != Convergence::Finite {
+            continue;
+        }
         let steps = generated.design.valid_from_step;
         let run = truth.run(generated.plant.sample_time_s(), 1, 2 * steps + 4, 3);
         for output in 0..truth.delays.len() {
@@ -64,7 +69,7 @@ fn a_missing_sample_starts_the_window_again() {
 /// Every plant and output: the window holds a prediction for N+1 calls, for N+1-d when it arrives d late.
 #[test]
 fn coasting_lasts_while_the_window_holds_a_prediction() {
-    for name in names() {
+    for name in names_of("window") {
         let truth = truth(&name).unwrap();
         let generated = designed(&corpus(&name));
         let steps = generated.design.valid_from_step;

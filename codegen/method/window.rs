@@ -161,21 +161,28 @@ pub(super) fn read_hold(table: &mut Table) -> (Between, Range<usize>) {
     (table.choice("hold", &words, Between::Lines), place)
 }
 
+/// Refuses to keep the last value inside nonlinear terms.
+pub(super) fn refuse_steps(plant: &Plant, (between, span): &(Between, Range<usize>), found: &mut Vec<Diagnostic>) {
+    if *between == Between::Steps {
+        let late = plant.sample_time_s() / 2.0;
+        let message = format!("nonlinear terms that keep their last value are {} s late", show(late));
+        let error = Diagnostic::error(codes::METHOD_CANNOT, span.clone(), message);
+        let error = error.label("half a sample: first order in the sample time").measured(late);
+        found.push(error.help("`hold = \"first\"` is of second order at the same cost, `\"third\"` of fourth"));
+    }
+}
+
 /// Reports what stands against a course between samples.
 pub(super) fn check_hold(
     plant: &Plant,
     signals: &[Signal],
-    (between, span): &(Between, Range<usize>),
+    hold: &(Between, Range<usize>),
     steps: usize,
     found: &mut Vec<Diagnostic>,
 ) {
+    refuse_steps(plant, hold, found);
+    let (between, span) = hold;
     let refuse = |message: String| Diagnostic::error(codes::METHOD_CANNOT, span.clone(), message);
-    if *between == Between::Steps {
-        let late = plant.sample_time_s() / 2.0;
-        let message = format!("nonlinear terms that keep their last value are {} s late", show(late));
-        let error = refuse(message).label("half a sample: first order in the sample time").measured(late);
-        found.push(error.help("`hold = \"first\"` is of second order at the same cost, `\"third\"` of fourth"));
-    }
     if *between != Between::Cubics {
         return;
     }

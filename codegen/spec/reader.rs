@@ -106,6 +106,11 @@ impl<'a> Table<'a> {
         Some(Text { inner: inner_span(self.text, &span, string), value: string.to_string(), span })
     }
 
+    /// Whether a key is there and its value is a string, without reading it.
+    pub fn has_text(&self, key: &str) -> bool {
+        self.entries.get(key).is_some_and(|value| matches!(value.get_ref(), DeValue::String(_)))
+    }
+
     /// One word of a few; the default when the key is absent.
     pub fn choice<T: Copy>(&mut self, key: &str, choices: &[(&str, T)], default: T) -> T {
         let Some(text) = self.text(key) else { return default };

@@ -9,7 +9,7 @@
 use crate::design::Certificate;
 use crate::expr::Symbol;
 use crate::expr::bounds::{Interval, derivative, enclose};
-use crate::plant::Plant;
+use crate::plant::{Disturbance, Plant};
 use crate::real::{Matrix, Precision, Real, exponential, zero_order_hold};
 
 use super::solve::Exact;
@@ -87,13 +87,7 @@ pub fn range(plant: &Plant, symbol: Symbol) -> Interval {
 /// Sum over the window of the integral of `|acc_i e^{A s} d|`, from above.
 pub fn disturbance_gains(plant: &Plant, accumulated: &[Matrix]) -> Vec<Vec<f64>> {
     let n = plant.states.len();
-    let p = Precision::bits(256);
-    let columns: Vec<Matrix> = plant
-        .disturbances
-        .iter()
-        .map(|d| Matrix::from_fn(n, 1, |i, _| d.column[i].evaluate(p).unwrap_or_else(|_| Real::zero(p))))
-        .collect();
-    let Some(kernel) = Kernel::new(plant, columns) else {
+    let Some(kernel) = Kernel::new(plant) else {
         return vec![vec![f64::INFINITY; plant.disturbances.len()]; n];
     };
     let mut gains = vec![vec![0.0; plant.disturbances.len()]; n];
@@ -108,7 +102,7 @@ pub fn disturbance_gains(plant: &Plant, accumulated: &[Matrix]) -> Vec<Vec<f64>>
 }
 
 /// What a disturbance does over one sample interval, cut into parts.
-struct Kernel {
+pub(crate) struct Kernel {
     /// Per part: the integral over it, n x d.
     parts: Vec<Vec<Vec<f64>>>,
     /// Per boundary between parts: the kernel there, n x d.
@@ -120,10 +114,14 @@ struct Kernel {
 }
 
 impl Kernel {
-    fn new(plant: &Plant, columns: Vec<Matrix>) -> Option<Self> {
+    /// Of all disturbances; `None` where the plant is too fast for its sample time.
+    pub(crate) fn new(plant: &Plant) -> Option<Self> {
         let n = plant.states.len();
         let p = Precision::bits(256);
-        let all = columns.into_iter().reduce(|a, b| a.hcat(&b)).unwrap_or_else(|| Matrix::zeros(n, 0, p));
+        let column =
+            |d: &Disturbance| Matrix::from_fn(n, 1, |i, _| d.column[i].evaluate(p).unwrap_or_else(|_| Real::zero(p)));
+        let columns = plant.disturbances.iter().map(column);
+        let all = columns.reduce(|a, b| a.hcat(&b)).unwrap_or_else(|| Matrix::zeros(n, 0, p));
         if plant.discrete || all.cols() == 0 {
             return Some(Self { parts: vec![all.to_f64()], edges: Vec::new(), slope: Vec::new(), length: 0.0 });
         }
@@ -147,7 +145,7 @@ impl Kernel {
     }
 
     /// Adds one interval's share for the accumulated matrix of its age.
-    fn add(&self, acc: &[Vec<f64>], gains: &mut [Vec<f64>]) {
+    pub(crate) fn add(&self, acc: &[Vec<f64>], gains: &mut [Vec<f64>]) {
         let dot = |row: &[f64], m: &[Vec<f64>], d: usize| -> f64 { row.iter().zip(m).map(|(a, r)| a * r[d]).sum() };
         let bound =
             |row: &[f64], m: &[Vec<f64>], d: usize| -> f64 { row.iter().zip(m).map(|(a, r)| a.abs() * r[d]).sum() };

@@ -342,7 +342,7 @@ mod tests {
     fn the_iteration_agrees_with_the_eigenvalues() {
         for k in [20, 100] {
             let (_, design) = designed(&MOTOR.replace("k = 20", &format!("k = {k}"))).unwrap();
-            let Shape::Window(functional) = &design.shape;
+            let Shape::Window(functional) = &design.shape else { panic!("another shape") };
             let phi = &design.constants.iter().find(|c| c.letter == "Phi").unwrap().rows;
             let errors = Errors::new(functional, &phi[..1]);
             for gap in [2, 5, 10, 16, 18, 19] {

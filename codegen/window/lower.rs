@@ -7,15 +7,15 @@
 //! No input makes the state non-finite: a sample enters a ring only if it is within `Guard`'s
 //! bound, chosen such that no sum over the window and no prediction can overflow.
 
-mod cells;
+pub(crate) mod cells;
 mod count;
 pub(crate) mod guard;
 pub(crate) mod injections;
 mod irregular;
 pub(crate) mod normal;
 pub(crate) mod predict;
-mod report;
-mod sample;
+pub(crate) mod report;
+pub(crate) mod sample;
 mod sums;
 
 use crate::design::Settled;
@@ -159,10 +159,10 @@ fn bounded(calls: usize) -> u32 {
     u32::try_from(calls).unwrap_or(u32::MAX)
 }
 
-fn field(name: &str, unit: &str, doc: &str) -> Field {
+pub(crate) fn field(name: &str, unit: &str, doc: &str) -> Field {
     Field { name: name.to_owned(), unit: unit.to_owned(), doc: doc.to_owned() }
 }
 
-fn place(index: usize) -> u16 {
+pub(crate) fn place(index: usize) -> u16 {
     u16::try_from(index).unwrap_or_else(|_| unreachable!("a plant has at most 256 of each"))
 }

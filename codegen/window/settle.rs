@@ -7,16 +7,16 @@
 use crate::design::{Numerics, Settled};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::plant::Plant;
-use crate::real::{Precision, Real, compare};
+use crate::real::{Agreement, Precision, Real, compare};
 
 use super::model::Model;
 use super::solve::{Choice, Exact, ExactPrediction};
 use super::{Functional, Prediction, Signal, Weights};
 
 /// Bits of the first run; the second has twice as many.
-const FIRST_BITS: usize = 256;
+pub(crate) const FIRST_BITS: usize = 256;
 /// Bits of the last run that is tried.
-const LAST_BITS: usize = 4_096;
+pub(crate) const LAST_BITS: usize = 4_096;
 /// Bits of a constant that rounding errors may have spoiled while it still counts as vanishing.
 const GUARD_BITS: f64 = 128.0;
 
@@ -75,9 +75,9 @@ pub(crate) fn rising<T, F>(
     let mut agreement;
     loop {
         let fine = run(precision.doubled())?;
-        let mut pass = Pass { precision, coarse: Vec::new(), fine: Vec::new(), settled: Vec::new() };
+        let mut pass = Pass::new(precision);
         let rounded = round(&mut pass, &coarse, &fine);
-        let result = compare(pass.coarse.iter(), pass.fine.iter());
+        let result = pass.agreement();
         agreement = result.digits;
         let unbiasedness = unbiasedness(&fine);
         if result.same_f64 && result.same_f32 && unbiasedness < 1e-30 {
@@ -92,7 +92,7 @@ pub(crate) fn rising<T, F>(
     }
 }
 
-fn refusal(plant: &Plant, agreement: f64, unbiasedness: f64) -> Diagnostic {
+pub(crate) fn refusal(plant: &Plant, agreement: f64, unbiasedness: f64) -> Diagnostic {
     if agreement >= 17.0 {
         let message = "the estimate would be biased";
         return Diagnostic::error(codes::CHECK_FAILED, plant.span.clone(), message)
@@ -115,6 +115,16 @@ pub(crate) struct Pass {
 }
 
 impl Pass {
+    /// Of a run at this precision with one at twice as many digits.
+    pub(crate) fn new(precision: Precision) -> Self {
+        Self { precision, coarse: Vec::new(), fine: Vec::new(), settled: Vec::new() }
+    }
+
+    /// How far both runs agree on what was rounded.
+    pub(crate) fn agreement(&self) -> Agreement {
+        compare(self.coarse.iter(), self.fine.iter())
+    }
+
     /// Rounds numbers of one unit; exact zeros on both sides are structural and give nothing.
     pub(crate) fn group(&mut self, coarse: &[Real], fine: &[Real]) -> Option<Vec<Settled>> {
         if coarse.iter().chain(fine).all(Real::is_zero) {

@@ -94,9 +94,9 @@ impl Subject {
         self.generated.program.scalar
     }
 
-    /// N.
+    /// Calls until it has converged, and N at least.
     pub fn window(&self) -> usize {
-        self.generated.design.window_steps
+        self.generated.design.window_steps.max(self.generated.design.valid_from_step)
     }
 
     /// Measurements that are inside their range.

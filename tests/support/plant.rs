@@ -292,15 +292,16 @@ fn largest<'a>(rows: impl Iterator<Item = &'a Vec<f64>>) -> Vec<f64> {
 pub fn functional(generated: &Generated) -> &Functional {
     match &generated.design.shape {
         Shape::Window(functional) => functional,
-        Shape::Regression(_) => panic!("{} has no constant weights", generated.plant.name),
+        Shape::Regression(_) | Shape::Impulsive(_) => panic!("{} has no constant weights", generated.plant.name),
     }
 }
 
 /// Whole samples of delay, per output.
-pub fn delays(generated: &Generated) -> &[usize] {
+pub fn delays(generated: &Generated) -> Vec<usize> {
     match &generated.design.shape {
-        Shape::Window(functional) => &functional.delays,
-        Shape::Regression(regression) => &regression.carrier.delays,
+        Shape::Window(functional) => functional.delays.clone(),
+        Shape::Regression(regression) => regression.carrier.delays.clone(),
+        Shape::Impulsive(_) => vec![0; generated.plant.outputs.len()],
     }
 }
 

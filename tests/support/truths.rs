@@ -17,7 +17,8 @@ pub fn truth(name: &str) -> Option<Truth> {
         "late_position" => late_position(0.4),
         "magnetic_levitation" => magnetic_levitation(),
         "mass_chain" => mass_chain(),
-        "pendulum" | "pendulum_single_delay" => pendulum(),
+        "pendulum" | "pendulum_single_delay" | "pendulum_impulsive" => pendulum(),
+        "pendulum_discrete" => pendulum_discrete(),
         "thermal_stack" => thermal_stack(),
         "two_mass_drive" => two_mass_drive(),
         "unknown_discrete" => unknown_discrete(),
@@ -35,6 +36,12 @@ pub fn names() -> Vec<String> {
     let mut names: Vec<String> = paths.map(|path| path.file_stem().unwrap().to_str().unwrap().to_owned()).collect();
     names.sort();
     names
+}
+
+/// Those of one method.
+pub fn names_of(method: &str) -> Vec<String> {
+    let uses = |name: &String| corpus(name).lines().any(|line| line.trim() == format!("[observer.{method}]"));
+    names().into_iter().filter(uses).collect()
 }
 
 fn dc_motor() -> Truth {
@@ -169,6 +176,20 @@ fn pendulum() -> Truth {
         delays: vec![0.0],
         holds: vec![],
         start: vec![(0.5, 2.5), (-5.0, 5.0)],
+        input: vec![],
+        exact: false,
+    }
+}
+
+/// 001 (64).
+fn pendulum_discrete() -> Truth {
+    Truth {
+        discrete: false,
+        change: Box::new(|_, x, _| vec![x[1], -x[0].sin()]),
+        outputs: Box::new(|x| vec![x[0]]),
+        delays: vec![0.0],
+        holds: vec![],
+        start: vec![(-2.0, 2.0), (-1.0, 1.0)],
         input: vec![],
         exact: false,
     }

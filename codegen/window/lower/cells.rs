@@ -113,12 +113,12 @@ fn memory(builder: &mut Builder, plant: &Plant, window: u32) -> Memory {
     Memory { present, next, known: builder.index_cell("known", "whether that comes from an estimate", 0) }
 }
 
-fn bracketed(unit: &str) -> String {
+pub(crate) fn bracketed(unit: &str) -> String {
     if unit.is_empty() { String::new() } else { format!(", {unit}") }
 }
 
 /// An expression's text as a name.
-fn identifier(text: &str) -> String {
+pub(crate) fn identifier(text: &str) -> String {
     const LONGEST: usize = 32;
     let mut name = String::new();
     for c in text.chars() {

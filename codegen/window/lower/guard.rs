@@ -15,6 +15,7 @@ use super::super::{Functional, Prediction};
 use super::injections::{round, scale_of};
 
 /// Bounds on what may enter the state.
+#[derive(Debug)]
 pub struct Guard {
     /// On inputs, injections and outputs without a range.
     pub bound: f64,
@@ -37,15 +38,19 @@ impl Guard {
     /// Finds the bound; a weight or range that the target's floats cannot hold is an error.
     pub fn new(plant: &Plant, functional: &Functional, growth: Growth) -> Result<Self, Vec<Diagnostic>> {
         refuse_lost_weights(plant, functional)?;
-        let gain = largest_gain(plant, functional).max(growth.linear);
+        Self::with_gain(plant, largest_gain(plant, functional).max(growth.linear), growth.square)
+    }
+
+    /// The same for another step, whose largest sums for samples of magnitude 1 are given: of samples, of products of two.
+    pub(crate) fn with_gain(plant: &Plant, gain: f64, square: f64) -> Result<Self, Vec<Diagnostic>> {
         let (largest, exponents) = match plant.scalar {
             Scalar::F32 => (f64::from(f32::MAX), 0..=37),
             Scalar::F64 => (f64::MAX, 0..=307),
         };
         let powers = exponents.rev().map(|e| format!("1e{e}").parse::<f64>().unwrap_or(1.0));
-        let bound = powers.map(|b| plant.scalar_value(b)).find(|b| 16.0 * b * (gain + b * growth.square) <= largest);
+        let bound = powers.map(|b| plant.scalar_value(b)).find(|b| 16.0 * b * (gain + b * square) <= largest);
         let Some(bound) = bound else {
-            let gain = gain.max(growth.square);
+            let gain = gain.max(square);
             let message = format!("the gains, up to {gain:.1e}, are too large for {}", plant.scalar);
             let error = Diagnostic::error(codes::OUT_OF_RANGE, plant.span.clone(), message).measured(gain);
             let help = match plant.scalar {
@@ -93,7 +98,7 @@ fn refuse_lost_weights(plant: &Plant, functional: &Functional) -> Result<(), Vec
     }
 }
 
-fn lost(plant: &Plant, what: &str, weight: f64) -> Diagnostic {
+pub(crate) fn lost(plant: &Plant, what: &str, weight: f64) -> Diagnostic {
     let message = format!("a weight of the design is too {what} for {}", plant.scalar);
     Diagnostic::error(codes::OUT_OF_RANGE, plant.span.clone(), message)
         .label(format!("this design has {weight:.1e}"))

@@ -16,6 +16,8 @@ pub enum Moment {
     Now,
     /// With the samples of the call before, which stand at this slot.
     Before(Value),
+    /// With the samples of so many calls before, which are handed in as those of this call.
+    Ago(u32),
 }
 
 /// What injections are evaluated from.
@@ -181,6 +183,7 @@ impl Place<'_> {
         let calls = match self.moment {
             Moment::Now => calls,
             Moment::Before(_) => b.count_down(calls),
+            Moment::Ago(past) => (0..*past).fold(calls, |calls, _| b.count_down(calls)),
         };
         let calls = b.to_float(calls);
         let h = self.constant(b, &self.of.plant.sample_time.0);
@@ -193,7 +196,7 @@ impl Place<'_> {
         let mut terms = Vec::new();
         for (o, weight) in weights {
             let sample = match self.moment {
-                Moment::Now => self.outputs[*o],
+                Moment::Now | Moment::Ago(_) => self.outputs[*o],
                 Moment::Before(slot) => b.read_ring(self.rings[*o], *slot),
             };
             let weight = self.constant(b, weight);

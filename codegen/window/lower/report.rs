@@ -1,6 +1,8 @@
 //! What a step keeps for the next prediction, and what it returns.
 
 use crate::design::Settled;
+use crate::plant::Plant;
+use crate::program::builder::Builder;
 use crate::program::{Status, Value};
 
 use super::super::Part;
@@ -55,7 +57,7 @@ impl Lowering<'_> {
     /// The estimate where it is known, else the start; and how far it can be trusted.
     pub(crate) fn report(&mut self, estimate: &[Value], sampled: &Sampled, standing: &Standing) {
         for (i, state) in self.plant.states.iter().enumerate() {
-            let start = self.start(i, sampled);
+            let start = start(&mut self.builder, self.plant, i, &sampled.outputs);
             let value = self.builder.select(standing.known, estimate[i], start);
             self.builder.estimate(field(&state.label.name, &state.label.unit, &state.label.doc), value);
         }
@@ -70,20 +72,18 @@ impl Lowering<'_> {
         let status = self.builder.select(standing.determined, working, statuses[2]);
         self.builder.report(status);
     }
+}
 
-    /// Measured states from the newest sample, the others their `initial`.
-    fn start(&mut self, state: usize, sampled: &Sampled) -> Value {
-        let state = &self.plant.states[state];
-        if state.measured.is_empty() {
-            let initial = injections::round(&state.initial, self.plant.scalar);
-            return self.builder.float(initial);
-        }
-        let mut terms = Vec::new();
-        for (output, weight) in &state.measured {
-            let weight = injections::round(weight, self.plant.scalar);
-            let weight = self.builder.float(weight);
-            terms.push(self.builder.mul(weight, sampled.outputs[*output]));
-        }
-        self.builder.sum(&terms)
+/// What stands for a state before convergence: measured ones from the newest sample, the others their `initial`.
+pub(crate) fn start(b: &mut Builder, plant: &Plant, state: usize, outputs: &[Value]) -> Value {
+    let state = &plant.states[state];
+    if state.measured.is_empty() {
+        return b.float(injections::round(&state.initial, plant.scalar));
     }
+    let mut terms = Vec::new();
+    for (output, weight) in &state.measured {
+        let weight = b.float(injections::round(weight, plant.scalar));
+        terms.push(b.mul(weight, outputs[*output]));
+    }
+    b.sum(&terms)
 }

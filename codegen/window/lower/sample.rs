@@ -2,7 +2,8 @@
 //! evaluates the injections.
 
 use crate::plant::Hold;
-use crate::program::Value;
+use crate::program::builder::Builder;
+use crate::program::{CellId, Value};
 
 use super::super::{Part, Source};
 use super::injections::{Injections, Moment};
@@ -66,14 +67,16 @@ impl<'a> Lowering<'a> {
             })
             .collect();
 
-        lost.extend(self.abandoned(&good));
+        let patience = |o: usize| window - late_len(self.functional, o);
+        let missed: Vec<_> = self.cells.missed.iter().enumerate().map(|(o, cell)| (*cell, patience(o))).collect();
+        lost.extend(abandoned(&mut self.builder, &missed, &good));
         let (late, on_time): (Vec<_>, Vec<_>) =
             self.expected(good, count).into_iter().enumerate().partition(|(o, _)| self.functional.delays[*o] > 0);
         let on_time: Vec<Value> = on_time.into_iter().map(|(_, good)| good).chain(signals.now).collect();
-        let newest_good = self.all(&on_time);
+        let newest_good = all(&mut self.builder, &on_time);
         let samples_good = late.iter().fold(newest_good, |all, (_, good)| self.builder.and(all, *good));
-        let interval_good = self.all(&signals.since);
-        let lost = self.any(&lost);
+        let interval_good = all(&mut self.builder, &signals.since);
+        let lost = any(&mut self.builder, &lost);
         Sampled {
             newest,
             samples_good,
@@ -111,7 +114,8 @@ impl<'a> Lowering<'a> {
         self.known_with_the_samples(&mut signals, before, &outputs);
         let values = signals.values.into_iter().flatten().collect();
         let (samples_good, lost) = (self.builder.boolean(true), self.builder.boolean(false));
-        let (interval_good, newest_good) = (self.all(&signals.since), self.all(&signals.now));
+        let (interval_good, newest_good) =
+            (all(&mut self.builder, &signals.since), all(&mut self.builder, &signals.now));
         let late = Vec::new();
         Sampled { newest, samples_good, interval_good, newest_good, late, lost, outputs, signals: values, present }
     }
@@ -134,41 +138,6 @@ impl<'a> Lowering<'a> {
             expected.push(self.builder.or(good, foreseen));
         }
         expected
-    }
-
-    /// Whether an output has been missing for a whole window while another has not.
-    ///
-    /// Its predictions would then feed on themselves, corrected by what the others see of it; nothing makes
-    /// that recursion stable. With every output missing it is the plant's own model, which may go on.
-    fn abandoned(&mut self, good: &[Value]) -> Option<Value> {
-        let mut gone = Vec::new();
-        for (o, cell) in self.cells.missed.clone().into_iter().enumerate() {
-            let samples = self.window() - late_len(self.functional, o);
-            let before = self.builder.read(cell);
-            let full = self.counted(before, samples);
-            let missing = self.builder.not(good[o]);
-            gone.push(self.builder.and(missing, full));
-            let none = self.builder.index(0);
-            let more = self.builder.count_up(before, samples);
-            let missed = self.builder.select(good[o], none, more);
-            self.builder.set(cell, missed);
-        }
-        if gone.is_empty() {
-            return None;
-        }
-        let (any, all) = (self.any(&gone), self.all(&gone));
-        let some_left = self.builder.not(all);
-        Some(self.builder.and(any, some_left))
-    }
-
-    fn all(&mut self, values: &[Value]) -> Value {
-        let first = self.builder.boolean(true);
-        values.iter().fold(first, |sum, value| self.builder.and(sum, *value))
-    }
-
-    fn any(&mut self, values: &[Value]) -> Value {
-        let first = self.builder.boolean(false);
-        values.iter().fold(first, |sum, value| self.builder.or(sum, *value))
     }
 
     fn read_output(&mut self, output: usize) -> (Value, Value) {
@@ -259,4 +228,42 @@ impl<'a> Lowering<'a> {
         let last = self.builder.read_ring(self.cells.signals[s], before);
         (self.builder.select(good, value, last), Some(good))
     }
+}
+
+/// Whether an output has been missing for a whole window while another has not; `missed` has a cell per output,
+/// where there are several, and its window in calls.
+///
+/// Its predictions would then feed on themselves, corrected by what the others see of it; nothing makes
+/// that recursion stable. With every output missing it is the plant's own model, which may go on.
+pub(crate) fn abandoned(b: &mut Builder, missed: &[(CellId, u32)], good: &[Value]) -> Option<Value> {
+    let mut gone = Vec::new();
+    for ((cell, samples), good) in missed.iter().zip(good) {
+        let before = b.read(*cell);
+        let below = b.index(samples - 1);
+        let full = b.index_less(below, before);
+        let missing = b.not(*good);
+        gone.push(b.and(missing, full));
+        let none = b.index(0);
+        let more = b.count_up(before, *samples);
+        let count = b.select(*good, none, more);
+        b.set(*cell, count);
+    }
+    if gone.is_empty() {
+        return None;
+    }
+    let (any, all) = (any(b, &gone), all(b, &gone));
+    let some_left = b.not(all);
+    Some(b.and(any, some_left))
+}
+
+/// Whether all of some truths hold.
+pub(crate) fn all(b: &mut Builder, values: &[Value]) -> Value {
+    let first = b.boolean(true);
+    values.iter().fold(first, |sum, value| b.and(sum, *value))
+}
+
+/// Whether one of some truths holds.
+pub(crate) fn any(b: &mut Builder, values: &[Value]) -> Value {
+    let first = b.boolean(false);
+    values.iter().fold(first, |sum, value| b.or(sum, *value))
 }
