@@ -7,7 +7,7 @@ use crate::describe::short;
 use crate::design::{Certificate, Convergence, Design, Shape};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::expr::List;
-use crate::parameters::augment::varying;
+use crate::parameters::augment::{own_states, varying};
 use crate::parameters::functions::Functions;
 use crate::plant::Plant;
 use crate::program::Scalar;
@@ -69,7 +69,18 @@ fn threshold(plant: &Plant, key: Option<&Quantity>) -> Result<f64, Vec<Diagnosti
     if found.is_empty() { Ok(value * value) } else { Err(found) }
 }
 
+/// The loops of the step are written out by state and unknown; beyond this they fill a target's flash.
+const MOST_PRODUCTS: usize = 10_000;
+
 fn refuse_many(plant: &Plant) -> Result<(), Vec<Diagnostic>> {
+    let (own, q) = (own_states(plant), varying(plant).len());
+    let products = (q + 1) * own * own;
+    if products > MOST_PRODUCTS {
+        let message = format!("{own} states are too many for {q} unknowns with factors that vary");
+        let error = Diagnostic::error(codes::TOO_LARGE, plant.span.clone(), message).measured(count(products));
+        let label = format!("{products} products for each sample of the window; at most {MOST_PRODUCTS}");
+        return Err(vec![error.label(label).help("fewer unknowns, a model with fewer states, or constant factors")]);
+    }
     let varying = varying(plant);
     let Some(first) = varying.get(MOST) else { return Ok(()) };
     let message = format!("{} unknowns have factors that vary; at most {MOST} are estimated", varying.len());

@@ -235,7 +235,7 @@ fn refuse_stages(plant: &Plant, stages: &Stages, model: &Model, window: &Range<u
     let Ok(first) = stages.first(model) else {
         let error =
             Diagnostic::error(codes::WINDOW_TOO_SHORT, window.clone(), "the window is too short to show every state");
-        return Err(vec![error.help(format!("at least {} samples", n))]);
+        return Err(vec![error.help(format!("at least {n} samples"))]);
     };
     let divisor = stages.divisor(model, &first);
     let scale = (&model.c.block(0..1, 0..n).max_abs() * &first.share.max_abs()).max(Real::zero(divisor.precision()));
