@@ -195,6 +195,8 @@ fn the_papers_form_names_the_joint_one() {
     let joint = force("window = 1\nshifts = [0]", "e", "", "0.1");
     assert!(refused(&joint).1.contains("`shifts` belongs to `form = \"paper\"`"));
     let share = force("window = 1\nexcitation = 2", "e*sin(t)", "", "0.1");
+    let large = edited(&force("window = 1", "1e300*e*sin(t)", "", "0.1"), "'f64'", "'f32'");
+    assert!(refused(&large).1.contains("does not fit into f32"));
     assert!(refused(&share).1.contains("`excitation` must be between 0 and 1"));
 }
 

@@ -122,8 +122,9 @@ fn excited(plant: &Plant, functions: &Functions, regression: &Regression) -> Res
         let message =
             format!("no window tells the unknown `{}` apart from the state and the other unknowns", name(weakest).name);
         let label = format!(
-            "{} of what it shows is its own; smallest singular value of the scaled Schur complement {singular:.1e}",
-            root(found.share.1)
+            "{} of what it shows is its own; smallest singular value of the scaled Schur complement {}",
+            root(found.share.1),
+            if singular > 0.0 { format!("{singular:.1e}") } else { "0".into() }
         );
         let error = Diagnostic::error(codes::UNOBSERVABLE, name(weakest).span.clone(), message);
         let help = format!(
