@@ -91,22 +91,14 @@ fn refuse_many(plant: &Plant) -> Result<(), Vec<Diagnostic>> {
 /// What is promised while the gain depends on the signals.
 fn notes(plant: &Plant, functions: &Functions, threshold: f64) -> Vec<String> {
     let names: Vec<&str> = functions.unknowns.iter().map(|i| plant.unknowns[*i].label.name.as_str()).collect();
+    let share = show(deadbeat_math::sqrt_f64(threshold));
     let mut notes = vec![
-        format!(
-            "{} with factors that vary: exact where the last window excites them, that is where more than",
-            List(&names)
-        ),
-        format!(
-            "{} of what each shows is not explained by the state and the others; elsewhere they keep",
-            short(deadbeat_math::sqrt_f64(threshold))
-        ),
-        "their last values, and the status is `Converging`".into(),
+        format!("{}: exact while the last window excites them, that is, while more than {share} of what", List(&names)),
+        "each shows is its own; else they keep their last values, and the status is `Converging`".into(),
     ];
     let lines = functions.lines.iter().flatten().any(|(k, _)| !plant.injections[*k].symbols().is_empty());
     if lines && !plant.discrete {
-        notes.push(
-            "factors that depend on outputs are straight lines between samples: second order in the sample time".into(),
-        );
+        notes.push("factors of outputs are straight lines between samples: second order in the sample time".into());
     }
     notes
 }
@@ -136,13 +128,13 @@ fn excited(plant: &Plant, functions: &Functions, regression: &Regression) -> Res
     let names: Vec<&str> = found.unknowns.iter().map(|i| name(*i).name.as_str()).collect();
     let mut notes = vec![match found.first_failure {
         None => format!(
-            "{} of time alone: every one of {} windows until {until} s excites, by at least {}",
+            "factors of time alone ({}): every one of {} windows until {until} s excites, by at least {}",
             List(&names),
             found.windows,
             root(found.share.0)
         ),
         Some(at) => format!(
-            "{} of time alone: {} of {} windows until {until} s excite; the first that does not ends at {} s",
+            "factors of time alone ({}): {} of {} windows until {until} s excite; the first that does not ends at {} s",
             List(&names),
             found.exciting,
             found.windows,
