@@ -17,6 +17,7 @@ pub mod bound;
 pub mod exact;
 pub mod excitation;
 pub mod lower;
+mod rounding;
 
 use crate::design::Settled;
 use crate::window::Functional;

@@ -13,6 +13,7 @@
 //! **Conditions.** (A, C) observable; the Schur complement of the joint Gramian not singular
 //! (`parameters/identifiable.rs`).
 
+mod determinant;
 mod regressing;
 mod two_stages;
 
