@@ -4,8 +4,8 @@
 //!
 //! `y_j = C Phi^j x(w0) + C r_j + sum_i eps_i C p_ij`,
 //!
-//! r the response to everything known, p_i that to gamma_i. The columns `C Phi^j` are orthonormalised
-//! offline (`o_j = C Phi^j R^-1`), so that E of 002 (2) is the identity; what is left of the p_i outside them,
+//! r the response to everything known, `p_i` that to `gamma_i`. The columns `C Phi^j` are orthonormalised
+//! offline (`o_j = C Phi^j R^-1`), so that E of 002 (2) is the identity; what is left of the `p_i` outside them,
 //! `e_i = C p_i - o c_i`, has 002's Schur complement as its Gramian, `S = sum e e'`, and
 //! `S eps = sum e (y - C r)`. S is summed, not subtracted, so that single precision keeps its digits.
 //!
@@ -17,6 +17,7 @@ pub mod bound;
 pub mod exact;
 pub mod excitation;
 pub mod lower;
+mod rounding;
 
 use crate::design::Settled;
 use crate::window::Functional;

@@ -11,14 +11,17 @@
 
 #[path = "support/plant.rs"]
 mod plant;
+#[path = "support/truths.rs"]
+mod truths;
 
 use deadbeat_codegen::parameters::paper::{Exosystem, Times, constants};
-use deadbeat_codegen::program::Status;
 use deadbeat_codegen::program::interp::Interpreter;
+use deadbeat_codegen::program::{Scalar, Status};
 use deadbeat_codegen::real::{Precision, Real};
 use deadbeat_codegen::{Generated, Generator, diagnostic::codes};
-use plant::{Hold, NOTHING_YET, Run, Truth, designed, edited, matrix};
+use plant::{Hold, NOTHING_YET, Run, Truth, corpus, designed, designed_in, edited, matrix};
 use serde_json::Value;
+use truths::truth;
 
 const GOLDEN: &str = include_str!("golden/double_integrator_002.json");
 const TRAJECTORY: &str = include_str!("golden/traj_double_integrator_002.json");
@@ -45,7 +48,7 @@ fn golden(case: &str, key: &str) -> Vec<f64> {
     words.map(|word| word.parse().unwrap()).collect()
 }
 
-/// E, E^-1, kappa, W, E_h, theta of the constant force: the nearest doubles.
+/// E, E^-1, kappa, W, `E_h`, theta of the constant force: the nearest doubles.
 #[test]
 fn the_constants_of_a_constant_force_are_the_nearest_doubles() {
     for (case, integration) in [("T1", "1"), ("T_half", "0.5")] {
@@ -192,6 +195,8 @@ fn the_papers_form_names_the_joint_one() {
     let joint = force("window = 1\nshifts = [0]", "e", "", "0.1");
     assert!(refused(&joint).1.contains("`shifts` belongs to `form = \"paper\"`"));
     let share = force("window = 1\nexcitation = 2", "e*sin(t)", "", "0.1");
+    let large = edited(&force("window = 1", "1e300*e*sin(t)", "", "0.1"), "'f64'", "'f32'");
+    assert!(refused(&large).1.contains("does not fit into f32"));
     assert!(refused(&share).1.contains("`excitation` must be between 0 and 1"));
 }
 
@@ -224,7 +229,7 @@ fn stopped(truth: &Truth, calls: usize, quiet: &std::ops::Range<usize>) -> Run {
             let rhs = |_: f64, x: &[f64]| (truth.change)(0.0, x, &u);
             x = plant::advance(&rhs, 0.0, 0.1, &x);
         }
-        run.states[call] = x.clone();
+        run.states[call].clone_from(&x);
         run.measurements[call] = vec![x[0]];
     }
     run
@@ -251,6 +256,28 @@ fn the_status_follows_the_excitation() {
     // Weights below 100, rounding errors of some tens of u; the first and last intervals hardly excite.
     for (i, error) in answers.errors(&run, steps..run.states.len()).iter().enumerate() {
         assert!(*error < 1e-9, "state {i}: {error:e}");
+    }
+}
+
+/// In single precision the same samples give the same unknowns to what its rounding errors allow.
+#[test]
+fn single_precision_keeps_its_digits() {
+    let text = edited(&corpus("unknown_force_network"), "window = 1\n", "window = 1\nexcitation = 1e-3\n");
+    let (single, double) = (designed_in(&text, Scalar::F32), designed(&text));
+    let run = truth("unknown_force_network").unwrap().run(0.01, 1, 400, 2);
+    let (coarse, fine) = (run.through(&single), run.through(&double));
+    let mut largest = [0.0_f64; 6];
+    for call in double.design.valid_from_step..400 {
+        assert_eq!(coarse.statuses[call], Status::Converged, "call {call}");
+        for (largest, (a, b)) in largest.iter_mut().zip(coarse.estimates[call].iter().zip(&fine.estimates[call])) {
+            *largest = largest.max((a - b).abs());
+        }
+    }
+    println!("{largest:?}");
+    // Samples of about 1 m are rounded by 6e-8, the responses of a hundred samples by some times that; the gains to the
+    // weights are below a few thousand, to position and speed below 5 and 300.
+    for (largest, bound) in largest.iter().zip([3e-6, 2e-4, 3e-3, 3e-3, 3e-3, 3e-3]) {
+        assert!(*largest < bound, "{largest:e}");
     }
 }
 

@@ -157,7 +157,7 @@ impl Needs {
                     None => lines.push((monomial, column)),
                 }
             }
-            needs.lines.push(fewest(lines));
+            needs.lines.push(fewest(&lines));
             needs.flows.push(flows);
             needs.systems.push(whole);
         }
@@ -185,7 +185,7 @@ fn constant(poly: Poly) -> Constant {
 }
 
 /// One function per monomial, or one per row where that is fewer.
-fn fewest(lines: Vec<(Monomial, Vec<Constant>)>) -> Vec<(Poly, Vec<Constant>)> {
+fn fewest(lines: &[(Monomial, Vec<Constant>)]) -> Vec<(Poly, Vec<Constant>)> {
     let n = lines.first().map_or(0, |(_, column)| column.len());
     let rows: Vec<usize> = (0..n).filter(|i| lines.iter().any(|(_, column)| !column[*i].is_zero())).collect();
     let one_each =
@@ -195,7 +195,7 @@ fn fewest(lines: Vec<(Monomial, Vec<Constant>)>) -> Vec<(Poly, Vec<Constant>)> {
     }
     let sum = |i: usize| -> Option<(Poly, Vec<Constant>)> {
         let mut sum = Poly::default();
-        for (monomial, column) in &lines {
+        for (monomial, column) in lines {
             sum = sum.plus(&column[i].poly().times(&Poly::monomial(monomial.clone(), Rational::ONE)).ok()?).ok()?;
         }
         let unit = (0..n).map(|j| if j == i { Constant::one() } else { Constant::default() }).collect();

@@ -1,7 +1,7 @@
 //! 002's constants in continuous time, by the exosystem.
 //!
 //! With `gamma_i = D_i w`, `w' = S w`, one Gramian over tau of `A_a = [[A, D], [0, S]]`, `[C 0]` contains
-//! everything (window-observers, section 2): `E = G_11`, `kappa(gamma_t) = -G_12 w(t)`, and E_h, theta of Theorem 2 are
+//! everything (window-observers, section 2): `E = G_11`, `kappa(gamma_t) = -G_12 w(t)`, and `E_h`, theta of Theorem 2 are
 //! the blocks of `exp(-A_a' h) G exp(-A_a h)`. W is that of (4): the paper's (25)-(27) add `W(0)` to it, which is
 //! wrong unless gamma vanishes before t = 0.
 
@@ -75,7 +75,7 @@ pub struct Constants {
     pub kappa: Matrix,
     /// W, 1 x members, (4).
     pub w: Matrix,
-    /// E_h, n x n, (42).
+    /// `E_h`, n x n, (42).
     pub e_h: Matrix,
     /// theta, n x members, (43).
     pub theta: Matrix,

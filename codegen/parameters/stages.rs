@@ -43,7 +43,7 @@ pub struct Stages {
 pub struct First {
     /// `E^-1 B_j'` by call age, n x 1; nothing at ages that it does not use.
     pub weights: Vec<Option<Matrix>>,
-    /// E; E_h, F.
+    /// E; `E_h`, F.
     pub gramian: Matrix,
     /// kappa; theta, M; n x 1.
     pub kappa: Matrix,

@@ -4,9 +4,33 @@
 //! equations are sums of products of two responses, and the estimate adds products of an unknown, at most
 //! the bound itself, and a response.
 
+use crate::diagnostic::{Diagnostic, codes};
+use crate::plant::Plant;
 use crate::window::lower::guard::Growth;
 
 use super::{Drive, Entry, Regression};
+
+/// Refuses constants that the target's floats cannot hold.
+pub fn check(plant: &Plant, regression: &Regression) -> Result<(), Vec<Diagnostic>> {
+    let drives = regression.gammas.iter().chain([&regression.known]);
+    let driven = drives.flat_map(|d| d.begin.iter().chain(&d.end).chain([&d.constant]));
+    let matrices = regression.phi.iter().chain(&regression.shown).chain(&regression.through);
+    let ahead = regression.held.iter().chain(&regression.end).flatten();
+    let entries = driven.chain(matrices).chain(ahead).flatten().flatten().copied();
+    let rows = regression.rows.iter().flatten().flatten().copied();
+    let constants = entries.chain(rows).chain(regression.trust.iter().copied()).map(|entry| {
+        let finite = entry.value(plant.scalar).is_finite();
+        (entry.double, finite)
+    });
+    // A power of two: it is there as it is, or not at all.
+    let scales =
+        regression.scales.iter().map(|scale| (*scale, plant.scalar_value(*scale).to_bits() == scale.to_bits()));
+    let Some((value, _)) = constants.chain(scales).find(|(_, fits)| !fits) else { return Ok(()) };
+    let message = format!("a constant of the design does not fit into {}", plant.scalar);
+    let error = Diagnostic::error(codes::OUT_OF_RANGE, plant.span.clone(), message).measured(value);
+    let help = "choose units in which states, outputs and unknowns have similar sizes, or write `scalar = \"f64\"`";
+    Err(vec![error.label(format!("this design has {value:.1e}")).help(help)])
+}
 
 /// What the largest sums of a step are, for samples of magnitude 1.
 pub fn growth(regression: &Regression) -> Growth {

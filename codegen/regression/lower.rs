@@ -17,12 +17,13 @@ use crate::window::lower::predict::Unknowns;
 use crate::window::lower::{Lowering, Sampled, Standing, injections, late_len};
 
 use super::Regression;
-use super::bound::growth;
+use super::bound::{check, growth};
 use gather::{Gathered, gather};
 use responses::{Running, Window};
 
 /// Lowers a regression for its plant; constants that the target's floats cannot hold are reported.
 pub fn lower(plant: &Plant, regression: &Regression) -> Result<Program, Vec<Diagnostic>> {
+    check(plant, regression)?;
     let guard = Guard::new(plant, &regression.carrier, growth(regression))?;
     injections::check(plant)?;
     let mut step = Step::new(Lowering::new(plant, &regression.carrier, guard), regression);

@@ -18,11 +18,10 @@
 //! Measured   x [m]
 //! Method     parameters: joint least squares for states and unknowns over the last 101 samples (1 s at 0.01 s), stateless
 //! Converged  from call 101 (1 s after the first), whatever the initial state
-//!            `left`, `middle`, `right` and `shake` with factors that vary: exact where the last window excites them, that is where more than
-//!            1.000e-6 of what each shows is not explained by the state and the others; elsewhere they keep
-//!            their last values, and the status is `Converging`
-//!            factors that depend on outputs are straight lines between samples: second order in the sample time
-//!            `shake` of time alone: every one of 1000 windows until 120.88 s excites, by at least 0.3845
+//!            `left`, `middle`, `right` and `shake`: exact while the last window excites them, that is, while more than 1e-6 of what
+//!            each shows is its own; else they keep their last values, and the status is `Converging`
+//!            factors of outputs are straight lines between samples: second order in the sample time
+//!            factors of time alone (`shake`): every one of 1000 windows until 120.88 s excites, by at least 0.3845
 //!
 //!   no gains from noise: they depend on how far the signals excite the unknowns
 //!

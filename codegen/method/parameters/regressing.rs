@@ -7,7 +7,7 @@ use crate::describe::short;
 use crate::design::{Certificate, Convergence, Design, Shape};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::expr::List;
-use crate::parameters::augment::varying;
+use crate::parameters::augment::{own_states, varying};
 use crate::parameters::functions::Functions;
 use crate::plant::Plant;
 use crate::program::Scalar;
@@ -69,7 +69,18 @@ fn threshold(plant: &Plant, key: Option<&Quantity>) -> Result<f64, Vec<Diagnosti
     if found.is_empty() { Ok(value * value) } else { Err(found) }
 }
 
+/// The loops of the step are written out by state and unknown; beyond this they fill a target's flash.
+const MOST_PRODUCTS: usize = 10_000;
+
 fn refuse_many(plant: &Plant) -> Result<(), Vec<Diagnostic>> {
+    let (own, q) = (own_states(plant), varying(plant).len());
+    let products = (q + 1) * own * own;
+    if products > MOST_PRODUCTS {
+        let message = format!("{own} states are too many for {q} unknowns with factors that vary");
+        let error = Diagnostic::error(codes::TOO_LARGE, plant.span.clone(), message).measured(count(products));
+        let label = format!("{products} products for each sample of the window; at most {MOST_PRODUCTS}");
+        return Err(vec![error.label(label).help("fewer unknowns, a model with fewer states, or constant factors")]);
+    }
     let varying = varying(plant);
     let Some(first) = varying.get(MOST) else { return Ok(()) };
     let message = format!("{} unknowns have factors that vary; at most {MOST} are estimated", varying.len());
@@ -80,22 +91,14 @@ fn refuse_many(plant: &Plant) -> Result<(), Vec<Diagnostic>> {
 /// What is promised while the gain depends on the signals.
 fn notes(plant: &Plant, functions: &Functions, threshold: f64) -> Vec<String> {
     let names: Vec<&str> = functions.unknowns.iter().map(|i| plant.unknowns[*i].label.name.as_str()).collect();
+    let share = show(deadbeat_math::sqrt_f64(threshold));
     let mut notes = vec![
-        format!(
-            "{} with factors that vary: exact where the last window excites them, that is where more than",
-            List(&names)
-        ),
-        format!(
-            "{} of what each shows is not explained by the state and the others; elsewhere they keep",
-            short(deadbeat_math::sqrt_f64(threshold))
-        ),
-        "their last values, and the status is `Converging`".into(),
+        format!("{}: exact while the last window excites them, that is, while more than {share} of what", List(&names)),
+        "each shows is its own; else they keep their last values, and the status is `Converging`".into(),
     ];
     let lines = functions.lines.iter().flatten().any(|(k, _)| !plant.injections[*k].symbols().is_empty());
     if lines && !plant.discrete {
-        notes.push(
-            "factors that depend on outputs are straight lines between samples: second order in the sample time".into(),
-        );
+        notes.push("factors of outputs are straight lines between samples: second order in the sample time".into());
     }
     notes
 }
@@ -111,8 +114,9 @@ fn excited(plant: &Plant, functions: &Functions, regression: &Regression) -> Res
         let message =
             format!("no window tells the unknown `{}` apart from the state and the other unknowns", name(weakest).name);
         let label = format!(
-            "{} of what it shows is its own; smallest singular value of the scaled Schur complement {singular:.1e}",
-            root(found.share.1)
+            "{} of what it shows is its own; smallest singular value of the scaled Schur complement {}",
+            root(found.share.1),
+            if singular > 0.0 { format!("{singular:.1e}") } else { "0".into() }
         );
         let error = Diagnostic::error(codes::UNOBSERVABLE, name(weakest).span.clone(), message);
         let help = format!(
@@ -124,13 +128,13 @@ fn excited(plant: &Plant, functions: &Functions, regression: &Regression) -> Res
     let names: Vec<&str> = found.unknowns.iter().map(|i| name(*i).name.as_str()).collect();
     let mut notes = vec![match found.first_failure {
         None => format!(
-            "{} of time alone: every one of {} windows until {until} s excites, by at least {}",
+            "factors of time alone ({}): every one of {} windows until {until} s excites, by at least {}",
             List(&names),
             found.windows,
             root(found.share.0)
         ),
         Some(at) => format!(
-            "{} of time alone: {} of {} windows until {until} s excite; the first that does not ends at {} s",
+            "factors of time alone ({}): {} of {} windows until {until} s excite; the first that does not ends at {} s",
             List(&names),
             found.exciting,
             found.windows,

@@ -1,6 +1,6 @@
 //! The two loops over the window.
 //!
-//! The first carries the responses p_i and r from zero at the window's start, and sums their shares of the
+//! The first carries the responses `p_i` and r from zero at the window's start, and sums their shares of the
 //! orthonormal columns: `c_i = sum o' (C p_i)`, `d = sum o' (y - C r)`. The second carries them again and
 //! sums what is left, `e_i = C p_i - o c_i`, against itself and against what is left of the samples.
 
@@ -42,7 +42,7 @@ pub fn gather(window: &Window, b: &mut Builder, start: &Running) -> Gathered {
     Gathered { known, gammas, energy, normal, right }
 }
 
-/// The first loop: the responses at the end, c_1 … c_q and d, the energies.
+/// The first loop: the responses at the end, their shares c and d, the energies.
 fn project(
     window: &Window,
     b: &mut Builder,

@@ -37,7 +37,7 @@ pub struct Shown {
     pub columns: Vec<Value>,
     /// y - C r.
     pub measured: Value,
-    /// C p_i, q.
+    /// C `p_i`, q.
     pub gammas: Vec<Value>,
 }
 
@@ -163,7 +163,9 @@ impl<'a> Window<'a> {
             let before = now.late[..output].iter().flatten().count();
             let arrived = b.gain(place(self.outputs.len() * n + before));
             measured = b.mul(arrived, measured);
-            gammas.iter_mut().for_each(|v| *v = b.mul(arrived, *v));
+            for value in &mut gammas {
+                *value = b.mul(arrived, *value);
+            }
         }
         Shown { columns, measured, gammas }
     }

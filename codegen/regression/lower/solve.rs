@@ -33,8 +33,8 @@ impl Step<'_> {
             l.push(factors);
         }
         let mut forward: Vec<Value> = Vec::new();
-        for i in 0..q {
-            let value = self.reduced(gathered.right[i], &forward, &l[i]);
+        for (right, row) in gathered.right.iter().zip(&l) {
+            let value = self.reduced(*right, &forward, row);
             forward.push(value);
         }
         let mut values: Vec<Value> = Vec::new();
