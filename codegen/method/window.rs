@@ -32,9 +32,9 @@ use crate::program::Scalar;
 use crate::real::{Matrix, Precision, Real, equilibrated_columns, rank, singular_values};
 use crate::spec::Quantity;
 use crate::spec::reader::Table;
-use crate::window::certificate::certify;
 use crate::window::minimax::best_rows;
 use crate::window::model::{Between, Model, signals_between};
+use crate::window::realize::{Form, LeastSquares, REALIZATIONS, Realized, Request, WORDS, Wanted, realize};
 use crate::window::settle::settle;
 use crate::window::solve::{Choice, observability, output_powers, trusted};
 use crate::window::{Functional, Part, Signal, count, refuse_much_work, seconds, trimmed, whole_samples};
@@ -52,9 +52,13 @@ pub const METHOD: Method = Method {
             "\"equal\" | \"minimax\"",
             "least squares, or the smallest worst-case noise gain (quantised signals)",
         ),
-        ("realization", "\"auto\" | \"fir\"", "how the step computes it"),
+        (
+            "realization",
+            "\"auto\" | \"fir\" | \"two-level\" | \"ping-pong\" | \"recursive\"",
+            "how the step computes it",
+        ),
     ],
-    realizations: &[("fir", "one weighted sum over the stored samples; no state that can drift")],
+    realizations: &REALIZATIONS,
     page: include_str!("window.md"),
     read,
 };
@@ -66,6 +70,8 @@ struct Keys {
     weighting: Weighting,
     between: Between,
     place: Range<usize>,
+    wanted: Wanted,
+    wanted_span: Range<usize>,
 }
 
 /// Which of the unbiased weights are wanted.
@@ -87,8 +93,9 @@ fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
     let weighting = table.choice("weights", &words, Weighting::Equal);
     let place = table.key_span("hold");
     let between = table.choice("hold", &[("first", Between::Lines), ("third", Between::Cubics)], Between::Lines);
-    table.choice("realization", &[("auto", ()), ("fir", ())], ());
-    Some(Arc::new(Keys { window: window?, weighting, between, place }))
+    let wanted_span = table.key_span("realization");
+    let wanted = table.choice("realization", &WORDS, Wanted::Auto);
+    Some(Arc::new(Keys { window: window?, weighting, between, place, wanted, wanted_span }))
 }
 
 /// Bits at which observability is judged; a tolerance of half of them is far from any rounding.
@@ -114,15 +121,18 @@ impl Keyed for Keys {
         let choice = self.choice(plant, &delays, steps)?;
         let (functional, exact, mut numerics) = settle(plant, &signals, &delays, steps, &choice)?;
         numerics.condition = condition;
-        let certificate = certify(plant, &functional, &exact);
+        let form = self.form(&delays);
+        let (wanted, span) = (self.wanted, self.wanted_span.clone());
+        let Realized { functional, certificate, name, realizations } =
+            realize(plant, Request { functional, exact: &exact, form, wanted, span })?;
         Ok(Design {
             method: METHOD.name,
-            realization: "fir",
+            realization: name,
             summary: self.summary(plant, steps),
             window_steps: steps,
             valid_from_step: steps,
             convergence: Convergence::Finite,
-            realizations: Vec::new(),
+            realizations,
             notes: Vec::new(),
             constants: constants(&exact.model),
             fir: Some(fir(plant, &functional)),
@@ -135,6 +145,15 @@ impl Keyed for Keys {
 }
 
 impl Keys {
+    /// The innovation form, or why there is none.
+    fn form(&self, delays: &[usize]) -> Result<&'static dyn Form, &'static str> {
+        match self.weighting {
+            Weighting::Minimax => Err("minimax weights follow no recursion"),
+            Weighting::Equal if delays.iter().any(|delay| *delay > 0) => Err("an output arrives late"),
+            Weighting::Equal => Ok(&LeastSquares),
+        }
+    }
+
     /// For minimax weights, the rows that carry them.
     fn choice(&self, plant: &Plant, delays: &[usize], steps: usize) -> Result<Choice, Vec<Diagnostic>> {
         if self.weighting == Weighting::Equal {

@@ -8,6 +8,7 @@
 //! bound, chosen such that no sum over the window and no prediction can overflow.
 
 mod cells;
+mod copies;
 mod count;
 mod guard;
 mod injections;
@@ -17,6 +18,7 @@ mod predict;
 mod report;
 mod sample;
 mod sums;
+mod two_level;
 
 use crate::design::Settled;
 use crate::diagnostic::Diagnostic;
@@ -24,7 +26,7 @@ use crate::plant::Plant;
 use crate::program::builder::Builder;
 use crate::program::{Field, Program, Value};
 
-use super::Functional;
+use super::{Functional, Way};
 use cells::Cells;
 use guard::Guard;
 
@@ -95,10 +97,20 @@ impl<'a> Lowering<'a> {
             self.report_irregular(&answer, &sampled);
             return;
         }
-        let rings = (self.cells.outputs.as_slice(), self.cells.signals.as_slice());
-        let estimate = sums::estimate(&mut self.builder, self.plant, self.functional, rings, sampled.newest);
+        let estimate = self.estimate(&sampled);
         self.look_ahead(&estimate, &sampled);
         self.report(&estimate, &sampled, count);
+    }
+
+    /// The estimate of each state, by the functional's way.
+    fn estimate(&mut self, sampled: &Sampled) -> Vec<Value> {
+        match &self.functional.way {
+            Way::Fir => {
+                let kept = (self.cells.outputs.as_slice(), self.cells.signals.as_slice());
+                sums::estimate(&mut self.builder, self.plant, self.functional, kept, sampled.newest)
+            }
+            Way::TwoLevel(two) => self.two_level(two, sampled),
+        }
     }
 
     /// N+1.
@@ -115,14 +127,12 @@ impl<'a> Lowering<'a> {
     fn store(&mut self, sampled: &Sampled) {
         self.builder.section("into the window");
         self.builder.set(self.cells.newest, sampled.newest);
-        for (ring, value) in self.cells.outputs.iter().zip(&sampled.outputs) {
-            self.builder.set_ring(*ring, sampled.newest, *value);
+        let kept = self.cells.outputs.iter().chain(&self.cells.signals);
+        for (kept, value) in kept.zip(sampled.outputs.iter().chain(&sampled.signals)) {
+            kept.write(&mut self.builder, sampled.newest, *value);
         }
         let present = self.cells.memory.as_ref().map(|memory| memory.present.as_slice()).unwrap_or_default();
         for (ring, value) in present.iter().zip(&sampled.present) {
-            self.builder.set_ring(*ring, sampled.newest, *value);
-        }
-        for (ring, value) in self.cells.signals.iter().zip(&sampled.signals) {
             self.builder.set_ring(*ring, sampled.newest, *value);
         }
         let calls = self.builder.read(self.cells.calls);
@@ -148,6 +158,11 @@ fn bounded(calls: usize) -> u32 {
 
 fn field(name: &str, unit: &str, doc: &str) -> Field {
     Field { name: name.to_owned(), unit: unit.to_owned(), doc: doc.to_owned() }
+}
+
+/// A count of samples, rows or blocks as a Program has it.
+fn index(count: usize) -> u32 {
+    u32::try_from(count).unwrap_or_else(|_| unreachable!("the window's length is bounded"))
 }
 
 fn place(index: usize) -> u16 {
