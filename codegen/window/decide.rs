@@ -7,6 +7,7 @@ use crate::diagnostic::{Diagnostic, codes};
 use crate::plant::Plant;
 
 use super::count;
+use super::realize::ping_pong::PingPong;
 use super::realize::two_level::TwoLevel;
 use super::realize::{Depth, Load, Refusal, Request, Wanted, Way};
 
@@ -46,7 +47,7 @@ impl Candidate {
 /// # Errors
 /// That the one that is wanted may not run.
 pub fn decide(plant: &Plant, request: &Request) -> Result<Decision, Vec<Diagnostic>> {
-    let candidates: Vec<Candidate> = [Wanted::Fir, Wanted::TwoLevel].map(|w| look(plant, request, w)).into();
+    let candidates: Vec<Candidate> = [Wanted::Fir, Wanted::TwoLevel, Wanted::PingPong].map(|w| look(plant, request, w)).into();
     let chosen = match request.wanted {
         Wanted::Auto => best(request, &candidates),
         wanted => wanted,
@@ -71,7 +72,8 @@ fn design(plant: &Plant, request: &Request, wanted: Wanted, depth: Depth) -> Res
     Ok(match wanted {
         Wanted::Auto | Wanted::Fir => Way::Fir,
         Wanted::TwoLevel => Way::TwoLevel(Box::new(TwoLevel::new(plant, functional, exact, form()?, depth)?)),
-        Wanted::PingPong | Wanted::Recursive => return Err(Refusal::Unfit("not yet".into(), None)),
+        Wanted::PingPong => Way::PingPong(Box::new(PingPong::new(plant, functional, exact, form()?, depth)?)),
+        Wanted::Recursive => return Err(Refusal::Unfit("not yet".into(), None)),
     })
 }
 

@@ -14,6 +14,7 @@ mod guard;
 mod injections;
 mod irregular;
 pub(crate) mod normal;
+mod ping_pong;
 mod predict;
 mod report;
 mod sample;
@@ -67,6 +68,8 @@ struct Lowering<'a> {
     guard: Guard,
     builder: Builder,
     cells: Cells,
+    /// Whether the window holds a replaced sample, where copies keep that themselves: 1 or 0.
+    replaced: Option<Value>,
 }
 
 impl<'a> Lowering<'a> {
@@ -80,7 +83,7 @@ impl<'a> Lowering<'a> {
         for input in &plant.inputs {
             builder.input(field(&input.label.name, &input.label.unit, &input.label.doc));
         }
-        Self { plant, functional, guard, builder, cells }
+        Self { plant, functional, guard, builder, cells, replaced: None }
     }
 
     fn constant(&mut self, value: Settled) -> Value {
@@ -97,19 +100,20 @@ impl<'a> Lowering<'a> {
             self.report_irregular(&answer, &sampled);
             return;
         }
-        let estimate = self.estimate(&sampled);
+        let estimate = self.estimate(&sampled, count);
         self.look_ahead(&estimate, &sampled);
         self.report(&estimate, &sampled, count);
     }
 
     /// The estimate of each state, by the functional's way.
-    fn estimate(&mut self, sampled: &Sampled) -> Vec<Value> {
+    fn estimate(&mut self, sampled: &Sampled, count: Value) -> Vec<Value> {
         match &self.functional.way {
             Way::Fir => {
                 let kept = (self.cells.outputs.as_slice(), self.cells.signals.as_slice());
                 sums::estimate(&mut self.builder, self.plant, self.functional, kept, sampled.newest)
             }
             Way::TwoLevel(two) => self.two_level(two, sampled),
+            Way::PingPong(pair) => self.ping_pong(pair, sampled, count),
         }
     }
 

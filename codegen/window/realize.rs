@@ -4,9 +4,11 @@
 //! plants they may run for (window-observers, section 3). [`realize`] designs what is asked for, or what
 //! [`decide`](super::decide) finds best, and lists all of them with this plant's numbers.
 
+pub mod ages;
 pub mod basis;
 pub mod copy;
 pub mod form;
+pub mod ping_pong;
 pub mod tables;
 pub mod two_level;
 
@@ -18,12 +20,14 @@ use crate::plant::Plant;
 use crate::program::Scalar;
 use crate::real::{Precision, Real, Singular};
 
-use super::certificate::certify;
+use super::certificate::{certify, certify_ages};
 use super::decide;
 use super::settle::{round_groups, settle_groups};
 use super::solve::Exact;
 use super::{Functional, count};
+use ages::AtAge;
 pub use form::{ByInnovation, Form, LeastSquares};
+use ping_pong::PingPong;
 use two_level::TwoLevel;
 
 /// Bits at which it is judged whether a realisation may run.
@@ -37,6 +41,8 @@ pub enum Way {
     Fir,
     /// Statistics of blocks.
     TwoLevel(Box<TwoLevel>),
+    /// Two copies that are restarted by turns.
+    PingPong(Box<PingPong>),
 }
 
 /// What the user asks for.
@@ -235,6 +241,7 @@ impl Way {
         match self {
             Self::Fir => "fir",
             Self::TwoLevel(_) => "two-level",
+            Self::PingPong(_) => "ping-pong",
         }
     }
 
@@ -242,6 +249,7 @@ impl Way {
     pub fn stores_window(&self) -> bool {
         match self {
             Self::Fir | Self::TwoLevel(_) => true,
+            Self::PingPong(_) => false,
         }
     }
 
@@ -250,6 +258,7 @@ impl Way {
         match self {
             Self::Fir => None,
             Self::TwoLevel(two) => Some(&two.load),
+            Self::PingPong(pair) => Some(&pair.load),
         }
     }
 
@@ -258,6 +267,7 @@ impl Way {
         match self {
             Self::Fir => Vec::new(),
             Self::TwoLevel(two) => two.columns(),
+            Self::PingPong(pair) => pair.columns(),
         }
     }
 }
@@ -269,7 +279,14 @@ impl Way {
 pub fn realize(plant: &Plant, request: Request) -> Result<Realized, Vec<Diagnostic>> {
     let decision = decide::decide(plant, &request)?;
     let mut functional = request.functional;
-    let certificate = certify(plant, &functional, request.exact);
+    let certificate = match &decision.way {
+        Way::PingPong(pair) => {
+            let ages = pair.steps..2 * pair.steps;
+            let at = |age| AtAge::new(pair, &functional, &request.exact.model.c, age);
+            certify_ages(plant, &functional, ages.map(at))
+        }
+        _ => certify(plant, &functional, request.exact),
+    };
     functional.way = decision.way;
     let name = functional.way.name();
     Ok(Realized { functional, certificate, name, realizations: decision.list })

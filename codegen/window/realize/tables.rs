@@ -104,3 +104,11 @@ impl Entries {
         self.0.iter().map(|row| row.iter().map(value).collect()).collect()
     }
 }
+
+impl ByPlace {
+    /// The matrix at a place, as doubles.
+    pub fn at(&self, place: usize) -> Vec<Vec<f64>> {
+        let value = |x: &Option<Vec<Settled>>| x.as_ref().map_or(0.0, |column| column[place].double);
+        self.0.iter().map(|row| row.iter().map(value).collect()).collect()
+    }
+}
