@@ -34,7 +34,9 @@ use crate::spec::Quantity;
 use crate::spec::reader::Table;
 use crate::window::minimax::best_rows;
 use crate::window::model::{Between, Model, signals_between};
-use crate::window::realize::{Form, LeastSquares, REALIZATIONS, Realized, Request, WORDS, Wanted, realize};
+use crate::window::realize::{
+    Form, LeastSquares, REALIZATION_CHOICES, REALIZATIONS, Realized, Request, WORDS, Wanted, realize,
+};
 use crate::window::settle::settle;
 use crate::window::solve::{Choice, observability, output_powers, trusted};
 use crate::window::{Functional, Part, Signal, count, refuse_much_work, seconds, trimmed, whole_samples};
@@ -52,11 +54,7 @@ pub const METHOD: Method = Method {
             "\"equal\" | \"minimax\"",
             "least squares, or the smallest worst-case noise gain (quantised signals)",
         ),
-        (
-            "realization",
-            "\"auto\" | \"fir\" | \"two-level\" | \"ping-pong\" | \"recursive\"",
-            "how the step computes it",
-        ),
+        ("realization", REALIZATION_CHOICES, "how the step computes it"),
     ],
     realizations: &REALIZATIONS,
     page: include_str!("window.md"),

@@ -6,8 +6,9 @@ use crate::design::Realization;
 use crate::diagnostic::{Diagnostic, codes};
 use crate::plant::Plant;
 
-use super::count;
+use super::{Part, count};
 use super::realize::ping_pong::PingPong;
+use super::realize::recursive::Recursive;
 use super::realize::two_level::TwoLevel;
 use super::realize::{Depth, Load, Refusal, Request, Wanted, Way};
 
@@ -47,7 +48,7 @@ impl Candidate {
 /// # Errors
 /// That the one that is wanted may not run.
 pub fn decide(plant: &Plant, request: &Request) -> Result<Decision, Vec<Diagnostic>> {
-    let candidates: Vec<Candidate> = [Wanted::Fir, Wanted::TwoLevel, Wanted::PingPong].map(|w| look(plant, request, w)).into();
+    let candidates: Vec<Candidate> = [Wanted::Fir, Wanted::TwoLevel, Wanted::PingPong, Wanted::Recursive].map(|w| look(plant, request, w)).into();
     let chosen = match request.wanted {
         Wanted::Auto => best(request, &candidates),
         wanted => wanted,
@@ -67,13 +68,22 @@ pub fn decide(plant: &Plant, request: &Request) -> Result<Decision, Vec<Diagnost
 
 /// Designs one realisation.
 fn design(plant: &Plant, request: &Request, wanted: Wanted, depth: Depth) -> Result<Way, Refusal> {
-    let form = || request.form.map_err(|why| Refusal::Unfit(why.to_owned(), None));
     let (functional, exact) = (&request.functional, request.exact);
+    let form = || {
+        let curves = functional.signals.iter().any(|signal| signal.part == Part::Curves);
+        let irregular = functional.gaps.is_some() || functional.irregular.is_some();
+        match request.form {
+            Err(why) => Err(Refusal::Unfit(why.to_owned(), None)),
+            Ok(_) if curves => Err(Refusal::Unfit("its copies take straight lines between samples".into(), None)),
+            Ok(_) if irregular => Err(Refusal::Unfit("measurements come at irregular times".into(), None)),
+            Ok(form) => Ok(form),
+        }
+    };
     Ok(match wanted {
         Wanted::Auto | Wanted::Fir => Way::Fir,
         Wanted::TwoLevel => Way::TwoLevel(Box::new(TwoLevel::new(plant, functional, exact, form()?, depth)?)),
         Wanted::PingPong => Way::PingPong(Box::new(PingPong::new(plant, functional, exact, form()?, depth)?)),
-        Wanted::Recursive => return Err(Refusal::Unfit("not yet".into(), None)),
+        Wanted::Recursive => Way::Recursive(Box::new(Recursive::new(plant, functional, exact, form()?, depth)?)),
     })
 }
 

@@ -16,6 +16,7 @@ mod irregular;
 pub(crate) mod normal;
 mod ping_pong;
 mod predict;
+mod recursive;
 mod report;
 mod sample;
 mod sums;
@@ -44,6 +45,8 @@ pub fn lower(plant: &Plant, functional: &Functional) -> Result<Program, Vec<Diag
 struct Sampled {
     /// Slot of age 0.
     newest: Value,
+    /// Good samples in a row before this call.
+    count: Value,
     /// Whether everything sampled now was good.
     samples_good: Value,
     /// Whether everything since the last call was good.
@@ -114,7 +117,14 @@ impl<'a> Lowering<'a> {
             }
             Way::TwoLevel(two) => self.two_level(two, sampled),
             Way::PingPong(pair) => self.ping_pong(pair, sampled, count),
+            Way::Recursive(recursive) => self.recursive(recursive, sampled, count),
         }
+    }
+
+    /// Whether this call's samples are the first of a window.
+    fn fresh(&mut self, count: Value) -> Value {
+        let two = self.builder.index(2);
+        self.builder.index_less(count, two)
     }
 
     /// N+1.

@@ -9,6 +9,7 @@ pub mod basis;
 pub mod copy;
 pub mod form;
 pub mod ping_pong;
+pub mod recursive;
 pub mod tables;
 pub mod two_level;
 
@@ -28,6 +29,7 @@ use super::{Functional, count};
 use ages::AtAge;
 pub use form::{ByInnovation, Form, LeastSquares};
 use ping_pong::PingPong;
+use recursive::Recursive;
 use two_level::TwoLevel;
 
 /// Bits at which it is judged whether a realisation may run.
@@ -43,6 +45,8 @@ pub enum Way {
     TwoLevel(Box<TwoLevel>),
     /// Two copies that are restarted by turns.
     PingPong(Box<PingPong>),
+    /// A filter with one delayed innovation.
+    Recursive(Box<Recursive>),
 }
 
 /// What the user asks for.
@@ -69,6 +73,9 @@ pub const WORDS: [(&str, Wanted); 5] = [
     ("two-level", Wanted::TwoLevel),
     ("ping-pong", Wanted::PingPong),
 ];
+
+/// The same for a method's list of keys.
+pub const REALIZATION_CHOICES: &str = "\"auto\" | \"fir\" | \"two-level\" | \"ping-pong\" | \"recursive\"";
 
 /// Lines for a method's registry entry.
 pub const REALIZATIONS: [(&str, &str); 4] = [
@@ -242,6 +249,7 @@ impl Way {
             Self::Fir => "fir",
             Self::TwoLevel(_) => "two-level",
             Self::PingPong(_) => "ping-pong",
+            Self::Recursive(_) => "recursive",
         }
     }
 
@@ -249,7 +257,7 @@ impl Way {
     pub fn stores_window(&self) -> bool {
         match self {
             Self::Fir | Self::TwoLevel(_) => true,
-            Self::PingPong(_) => false,
+            Self::PingPong(_) | Self::Recursive(_) => false,
         }
     }
 
@@ -259,6 +267,7 @@ impl Way {
             Self::Fir => None,
             Self::TwoLevel(two) => Some(&two.load),
             Self::PingPong(pair) => Some(&pair.load),
+            Self::Recursive(recursive) => Some(&recursive.load),
         }
     }
 
@@ -268,6 +277,7 @@ impl Way {
             Self::Fir => Vec::new(),
             Self::TwoLevel(two) => two.columns(),
             Self::PingPong(pair) => pair.columns(),
+            Self::Recursive(recursive) => recursive.columns(),
         }
     }
 }

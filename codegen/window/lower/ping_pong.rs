@@ -99,8 +99,7 @@ impl Lowering<'_> {
     /// The row of the tables, whether the copies take turns now, and whether both start.
     fn turn(&mut self, pair: &PingPong, count: Value) -> (Value, Value, Value) {
         let cell = self.builder.index_cell("age", "calls since the copies took turns", 0);
-        let two = self.builder.index(2);
-        let fresh = self.builder.index_less(count, two);
+        let fresh = self.fresh(count);
         let before = self.builder.read(cell);
         let next = self.builder.advance(before, index(pair.steps));
         let zero = self.builder.index(0);

@@ -75,6 +75,7 @@ impl<'a> Lowering<'a> {
         let interval_good = self.all(&signals.since);
         let lost = self.any(&lost);
         Sampled {
+            count,
             newest,
             samples_good,
             interval_good,
@@ -97,12 +98,12 @@ impl<'a> Lowering<'a> {
         let mut signals = self.read_signals(before);
         let newest = self.builder.advance(before, window);
         let (zero, one) = (self.builder.float(0.0), self.builder.float(1.0));
-        let rings = self.cells.outputs.clone();
+        let all_kept = self.cells.outputs.clone();
         let outputs: Vec<Value> = read
             .iter()
-            .zip(rings)
-            .map(|((value, good), ring)| {
-                let last = self.builder.read_ring(ring, before);
+            .zip(all_kept)
+            .map(|((value, good), kept)| {
+                let last = kept.read(&mut self.builder, before);
                 self.builder.select(*good, *value, last)
             })
             .collect();
@@ -113,7 +114,8 @@ impl<'a> Lowering<'a> {
         let (samples_good, lost) = (self.builder.boolean(true), self.builder.boolean(false));
         let (interval_good, newest_good) = (self.all(&signals.since), self.all(&signals.now));
         let late = Vec::new();
-        Sampled { newest, samples_good, interval_good, newest_good, late, lost, outputs, signals: values, present }
+        let count = self.builder.read(self.cells.count);
+        Sampled { newest, count, samples_good, interval_good, newest_good, late, lost, outputs, signals: values, present }
     }
 
     /// Whether each sample is good, or missing as measurements at irregular times are.

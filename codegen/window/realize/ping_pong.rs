@@ -18,7 +18,7 @@ use super::super::model::Model;
 use super::super::solve::Exact;
 use super::super::{Functional, count};
 use super::ages::AtAge;
-use super::basis::{Basis, scales};
+use super::basis::{Basis, kept};
 use super::copy::{self, Copy};
 use super::form::{Form, rows};
 use super::tables::{ByPlace, Groups, Rounded};
@@ -66,15 +66,14 @@ impl PingPong {
         }
         let model = Model::new(plant, &functional.signals, Precision::bits(VERDICT_BITS)).map_err(Refusal::Broken)?;
         let dynamics = form.dynamics(&model)?;
-        let f = dynamics.input.rows();
-        let hidden = || Refusal::because(format!("{} samples do not show every state apart", 2 * steps));
-        let scale = scales(&rows(&dynamics, 2 * steps)).ok_or_else(hidden)?;
+        let stay = kept(&rows(&dynamics, 2 * steps));
+        let f = stay.len();
         let run = |precision: Precision| -> Result<Vec<Vec<Real>>, Vec<Diagnostic>> {
             let model = Model::new(plant, &functional.signals, precision)?;
             let broken = |error: Singular| vec![super::singular(plant, &error)];
             let dynamics = form.dynamics(&model).map_err(broken)?;
             let raw = rows(&dynamics, 2 * steps);
-            let basis = Basis::new(&raw, &scale).ok_or_else(|| broken(Singular { column: 0 }))?;
+            let basis = Basis::new(&raw, &stay).ok_or_else(|| broken(Singular { column: 0 }))?;
             let rows: Vec<Matrix> = raw.iter().map(|row| basis.row(row)).collect();
             let reads = form.read_outs(&model, steps..2 * steps).map_err(broken)?;
             let mut groups = Groups::default();

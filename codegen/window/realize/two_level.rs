@@ -17,7 +17,7 @@ use crate::real::{Matrix, Precision, Singular};
 use super::super::model::Model;
 use super::super::solve::Exact;
 use super::super::{Functional, count};
-use super::basis::{Basis, scales};
+use super::basis::{Basis, kept};
 use super::copy::{self, Copy};
 use super::form::{Form, rows};
 use super::tables::{ByPlace, Entries, Groups, Rounded};
@@ -87,10 +87,10 @@ struct Constants {
     handed: Vec<Matrix>,
 }
 
-fn constants(model: &Model, form: &dyn Form, steps: usize, cut: Cut, scale: &[i64]) -> Result<Constants, Singular> {
+fn constants(model: &Model, form: &dyn Form, steps: usize, cut: Cut, stay: &[(usize, i64)]) -> Result<Constants, Singular> {
     let dynamics = form.dynamics(model)?;
     let raw = rows(&dynamics, cut.block);
-    let basis = Basis::new(&raw, scale).ok_or(Singular { column: 0 })?;
+    let basis = Basis::new(&raw, stay).ok_or(Singular { column: 0 })?;
     let last = form.read_outs(model, steps..steps + 1)?.remove(0);
     // P F^a for a = N, N-1, … by F^-1.
     let mut reads = vec![last.read];
@@ -126,18 +126,17 @@ impl TwoLevel {
         let (n, p, s) = (exact.model.phi.rows(), exact.model.c.rows(), functional.signals.len());
         let model = Model::new(plant, &functional.signals, Precision::bits(VERDICT_BITS)).map_err(Refusal::Broken)?;
         let dynamics = form.dynamics(&model)?;
-        let f = dynamics.input.rows();
         let live = if s > 0 || !dynamics.inject.is_zero() { n } else { 0 };
-        let cut = best(functional.steps, (n, f, live), p + s).ok_or_else(|| {
+        let cut = best(functional.steps, (n, dynamics.input.rows(), live), p + s).ok_or_else(|| {
             Refusal::because(format!("{} samples are too few for two blocks", functional.steps + 1))
         })?;
-        let hidden = || Refusal::because(format!("a block of {} samples does not show every state", cut.block));
-        let scale = scales(&rows(&dynamics, cut.block)).ok_or_else(hidden)?;
+        let stay = kept(&rows(&dynamics, cut.block));
+        let f = stay.len();
         let run = |precision: Precision| -> Result<Vec<Vec<crate::real::Real>>, Vec<Diagnostic>> {
             let model = Model::new(plant, &functional.signals, precision)?;
             let broken = |error: Singular| vec![super::singular(plant, &error)];
             let dynamics = form.dynamics(&model).map_err(broken)?;
-            let constants = constants(&model, form, functional.steps, cut, &scale).map_err(broken)?;
+            let constants = constants(&model, form, functional.steps, cut, &stay).map_err(broken)?;
             let mut groups = Groups::default();
             copy::add(&mut groups, &model, &dynamics, false);
             groups.entries(&constants.direct);
