@@ -163,8 +163,9 @@ impl Keyed for Keys {
         let form: Result<&dyn realize::Form, _> =
             if self.continuous { Err("integrals from samples follow no recursion") } else { Ok(&innovation) };
         let (wanted, span) = (self.wanted, self.wanted_span.clone());
-        let Realized { functional, mut certificate, name, realizations } =
-            realize::realize(plant, Request { functional, exact: &exact, form, wanted, span })?;
+        let realized = realize::realize(plant, Request { functional, exact: &exact, form, wanted, span })?;
+        notes.extend(realized.notes);
+        let Realized { functional, mut certificate, name, realizations, .. } = realized;
         if let Some(gaps) = functional.gaps {
             certificate = with_gaps(plant, certificate, &functional, &exact, gaps);
         }

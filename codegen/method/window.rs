@@ -39,7 +39,7 @@ use crate::window::realize::{
 };
 use crate::window::settle::settle;
 use crate::window::solve::{Choice, observability, output_powers, trusted};
-use crate::window::{Functional, Part, Signal, count, refuse_much_work, seconds, trimmed, whole_samples};
+use crate::window::{Functional, Part, Signal, Way, count, refuse_much_work, seconds, trimmed, whole_samples};
 
 /// The registry's entry.
 pub const METHOD: Method = Method {
@@ -121,17 +121,17 @@ impl Keyed for Keys {
         numerics.condition = condition;
         let form = self.form(&delays);
         let (wanted, span) = (self.wanted, self.wanted_span.clone());
-        let Realized { functional, certificate, name, realizations } =
+        let Realized { functional, certificate, name, realizations, notes } =
             realize(plant, Request { functional, exact: &exact, form, wanted, span })?;
         Ok(Design {
             method: METHOD.name,
             realization: name,
-            summary: self.summary(plant, steps),
+            summary: self.summary(plant, steps, &functional.way),
             window_steps: steps,
             valid_from_step: steps,
             convergence: Convergence::Finite,
             realizations,
-            notes: Vec::new(),
+            notes,
             constants: constants(&exact.model),
             fir: Some(fir(plant, &functional)),
             certificate,
@@ -163,13 +163,18 @@ impl Keys {
         Ok(Choice::Rows(best_rows(&trusted(&rows, &trust), &model.phi.powi(steps as u64))))
     }
 
-    fn summary(&self, plant: &Plant, steps: usize) -> String {
+    fn summary(&self, plant: &Plant, steps: usize, way: &Way) -> String {
         let h = plant.sample_time_s();
         let what = match self.weighting {
             Weighting::Equal => "least squares",
             Weighting::Minimax => "smallest worst-case noise gain",
         };
-        format!("{what} over the last {} samples ({} s at {h} s), stateless", steps + 1, trimmed(seconds(steps, h)))
+        let (samples, seconds) = (steps + 1, trimmed(seconds(steps, h)));
+        match way {
+            Way::Fir => format!("{what} over the last {samples} samples ({seconds} s at {h} s), stateless"),
+            Way::PingPong(_) => format!("{what} over at least the last {samples} samples ({seconds} s at {h} s)"),
+            _ => format!("{what} over the last {samples} samples ({seconds} s at {h} s)"),
+        }
     }
 }
 

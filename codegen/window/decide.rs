@@ -48,20 +48,29 @@ impl Candidate {
 /// # Errors
 /// That the one that is wanted may not run.
 pub fn decide(plant: &Plant, request: &Request) -> Result<Decision, Vec<Diagnostic>> {
-    let candidates: Vec<Candidate> = [Wanted::Fir, Wanted::TwoLevel, Wanted::PingPong, Wanted::Recursive].map(|w| look(plant, request, w)).into();
+    let mut candidates: Vec<Candidate> = [Wanted::Fir, Wanted::TwoLevel, Wanted::PingPong, Wanted::Recursive].map(|w| look(plant, request, w)).into();
     let chosen = match request.wanted {
         Wanted::Auto => best(request, &candidates),
         wanted => wanted,
     };
-    let way = match design(plant, request, chosen, Depth::Settle) {
-        Ok(way) => way,
-        Err(Refusal::Broken(found)) => return Err(found),
-        Err(Refusal::Unfit(why, number)) => return Err(vec![refuse(plant, request, &why, number, &candidates)]),
+    let refuse = |refusal: &Refusal| match refusal {
+        Refusal::Broken(found) => found.clone(),
+        Refusal::Unfit(why, number) => vec![refusal_of(request, why, *number, &candidates)],
     };
-    if let Some(Err(Refusal::Unfit(why, number))) = candidates.iter().find(|c| c.wanted == chosen).map(|c| &c.verdict) {
-        return Err(vec![refuse(plant, request, why, *number, &candidates)]);
+    if let Some(Err(refusal)) = candidates.iter().find(|c| c.wanted == chosen).map(|c| &c.verdict) {
+        return Err(refuse(refusal));
     }
-    let mut list: Vec<Realization> = candidates.iter().map(|c| listed(c, &candidates)).collect();
+    let way = design(plant, request, chosen, Depth::Settle).map_err(|refusal| refuse(&refusal))?;
+    // Looking judges a growing window at some of its ages; now all of them are known.
+    let load = way.load().cloned().unwrap_or_else(|| request.functional.load(plant));
+    let verdict = judge(plant, request, &load);
+    if let Err(refusal) = &verdict {
+        return Err(refuse(refusal));
+    }
+    if let Some(candidate) = candidates.iter_mut().find(|c| c.wanted == chosen) {
+        (candidate.load, candidate.verdict) = (load, verdict);
+    }
+    let mut list: Vec<Realization> = candidates.iter().map(listed).collect();
     list.sort_by_key(|realization| realization.name != chosen.word());
     Ok(Decision { way, list })
 }
@@ -88,17 +97,21 @@ fn design(plant: &Plant, request: &Request, wanted: Wanted, depth: Depth) -> Res
 }
 
 fn look(plant: &Plant, request: &Request, wanted: Wanted) -> Candidate {
-    let sum = || request.functional.load(plant);
     match design(plant, request, wanted, Depth::Look) {
         Ok(way) => {
-            let load = way.load().cloned().unwrap_or_else(sum);
-            let relative = load.relative(&request.functional);
-            let most = MOST_ROUND_OFF.max(sum().relative(&request.functional));
-            let verdict = if relative <= most { Ok(relative) } else { Err(inaccurate(plant, relative)) };
+            let load = way.load().cloned().unwrap_or_else(|| request.functional.load(plant));
+            let verdict = judge(plant, request, &load);
             Candidate { wanted, load, verdict }
         }
         Err(refusal) => Candidate { wanted, load: Load::default(), verdict: Err(refusal) },
     }
+}
+
+/// The round-off against the sum of the weights, if a step may have it.
+fn judge(plant: &Plant, request: &Request, load: &Load) -> Result<f64, Refusal> {
+    let relative = load.relative(&request.functional);
+    let most = MOST_ROUND_OFF.max(request.functional.load(plant).relative(&request.functional));
+    if relative <= most { Ok(relative) } else { Err(inaccurate(plant, relative)) }
 }
 
 fn inaccurate(plant: &Plant, relative: f64) -> Refusal {
@@ -115,17 +128,17 @@ fn best(request: &Request, candidates: &[Candidate]) -> Wanted {
     if long && cheaper && accurate { Wanted::TwoLevel } else { Wanted::Fir }
 }
 
-fn listed(candidate: &Candidate, candidates: &[Candidate]) -> Realization {
+fn listed(candidate: &Candidate) -> Realization {
     let verdict = match &candidate.verdict {
         Ok(relative) => Ok(format!("round-off below {relative:.0e} of the sum of its terms")),
         Err(refusal) => Err(refusal.why()),
     };
-    let _ = candidates;
     let Load { words, flops, constants, .. } = candidate.load;
     Realization { name: candidate.wanted.word(), words, flops, constants, verdict }
 }
 
-fn refuse(plant: &Plant, request: &Request, why: &str, number: Option<f64>, candidates: &[Candidate]) -> Diagnostic {
+/// What is wrong with what was asked for, and what works instead.
+fn refusal_of(request: &Request, why: &str, number: Option<f64>, candidates: &[Candidate]) -> Diagnostic {
     let message = format!("the realisation `{}` may not run for this plant", request.wanted.word());
     let error = Diagnostic::error(codes::REALIZATION, request.span.clone(), message).label(why);
     let error = match number {
@@ -135,6 +148,5 @@ fn refuse(plant: &Plant, request: &Request, why: &str, number: Option<f64>, cand
     let possible = candidates.iter().filter(|c| c.verdict.is_ok() && c.wanted != request.wanted);
     let words: Vec<String> =
         possible.map(|c| format!("`realization = \"{}\"` ({} flops a step)", c.wanted.word(), c.load.flops)).collect();
-    let _ = plant;
     error.help(words.join(" or "))
 }

@@ -45,8 +45,6 @@ pub fn lower(plant: &Plant, functional: &Functional) -> Result<Program, Vec<Diag
 struct Sampled {
     /// Slot of age 0.
     newest: Value,
-    /// Good samples in a row before this call.
-    count: Value,
     /// Whether everything sampled now was good.
     samples_good: Value,
     /// Whether everything since the last call was good.
@@ -95,7 +93,7 @@ impl<'a> Lowering<'a> {
 
     fn step(&mut self) {
         let sampled = if self.functional.irregular.is_some() { self.sample_what_is_there() } else { self.sample() };
-        let count = self.count(&sampled);
+        let (before, count) = self.count(&sampled);
         self.store(&sampled);
         if let Some(irregular) = &self.functional.irregular {
             let full = self.counted(count, self.window());
@@ -103,13 +101,13 @@ impl<'a> Lowering<'a> {
             self.report_irregular(&answer, &sampled);
             return;
         }
-        let estimate = self.estimate(&sampled, count);
+        let estimate = self.estimate(&sampled, before, count);
         self.look_ahead(&estimate, &sampled);
         self.report(&estimate, &sampled, count);
     }
 
     /// The estimate of each state, by the functional's way.
-    fn estimate(&mut self, sampled: &Sampled, count: Value) -> Vec<Value> {
+    fn estimate(&mut self, sampled: &Sampled, before: Value, count: Value) -> Vec<Value> {
         match &self.functional.way {
             Way::Fir => {
                 let kept = (self.cells.outputs.as_slice(), self.cells.signals.as_slice());
@@ -117,7 +115,7 @@ impl<'a> Lowering<'a> {
             }
             Way::TwoLevel(two) => self.two_level(two, sampled),
             Way::PingPong(pair) => self.ping_pong(pair, sampled, count),
-            Way::Recursive(recursive) => self.recursive(recursive, sampled, count),
+            Way::Recursive(recursive) => self.recursive(recursive, sampled, before, count),
         }
     }
 
@@ -141,13 +139,15 @@ impl<'a> Lowering<'a> {
     fn store(&mut self, sampled: &Sampled) {
         self.builder.section("into the window");
         self.builder.set(self.cells.newest, sampled.newest);
-        let kept = self.cells.outputs.iter().chain(&self.cells.signals);
-        for (kept, value) in kept.zip(sampled.outputs.iter().chain(&sampled.signals)) {
+        for (kept, value) in self.cells.outputs.iter().zip(&sampled.outputs) {
             kept.write(&mut self.builder, sampled.newest, *value);
         }
         let present = self.cells.memory.as_ref().map(|memory| memory.present.as_slice()).unwrap_or_default();
         for (ring, value) in present.iter().zip(&sampled.present) {
             self.builder.set_ring(*ring, sampled.newest, *value);
+        }
+        for (kept, value) in self.cells.signals.iter().zip(&sampled.signals) {
+            kept.write(&mut self.builder, sampled.newest, *value);
         }
         let calls = self.builder.read(self.cells.calls);
         let calls = self.builder.count_up(calls, u32::MAX);

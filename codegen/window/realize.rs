@@ -139,6 +139,8 @@ pub struct Realized {
     pub name: &'static str,
     /// All realisations, the chosen one first.
     pub realizations: Vec<Realization>,
+    /// What its user should know, a line each.
+    pub notes: Vec<String>,
 }
 
 /// What a realisation takes, and what it does to numbers.
@@ -253,6 +255,25 @@ impl Way {
         }
     }
 
+    /// What its user should know.
+    pub fn note(&self) -> Option<String> {
+        match self {
+            Self::Fir => None,
+            Self::TwoLevel(two) => {
+                Some(format!("computed in blocks of {} samples: {} whole ones and two in part", two.cut.block, two.cut.whole))
+            }
+            Self::PingPong(pair) => {
+                let (least, most) = (pair.steps + 1, 2 * pair.steps);
+                Some(format!("two copies take turns: the window has {least} to {most} samples, the gains are of the worst"))
+            }
+            Self::Recursive(filter) if filter.turns => Some("two copies with their filters take turns".into()),
+            Self::Recursive(filter) => {
+                let calls = (1.0 / -deadbeat_math::log_f64(filter.radius)).ceil();
+                Some(format!("an outlier's rounding stays in the filter and falls to 1/e in {calls} samples"))
+            }
+        }
+    }
+
     /// Whether the samples of the window are stored.
     pub fn stores_window(&self) -> bool {
         match self {
@@ -298,6 +319,6 @@ pub fn realize(plant: &Plant, request: Request) -> Result<Realized, Vec<Diagnost
         _ => certify(plant, &functional, request.exact),
     };
     functional.way = decision.way;
-    let name = functional.way.name();
-    Ok(Realized { functional, certificate, name, realizations: decision.list })
+    let (name, notes) = (functional.way.name(), functional.way.note().into_iter().collect());
+    Ok(Realized { functional, certificate, name, realizations: decision.list, notes })
 }

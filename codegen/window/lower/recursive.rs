@@ -22,16 +22,26 @@ struct Running {
 
 impl Lowering<'_> {
     /// The estimate from the filter.
-    pub(super) fn recursive(&mut self, recursive: &Recursive, sampled: &Sampled, count: Value) -> Vec<Value> {
-        if recursive.turns { self.by_turns(recursive, sampled, count) } else { self.alone(recursive, sampled, count) }
+    pub(super) fn recursive(
+        &mut self,
+        recursive: &Recursive,
+        sampled: &Sampled,
+        before: Value,
+        count: Value,
+    ) -> Vec<Value> {
+        if recursive.turns {
+            return self.by_turns(recursive, sampled, count);
+        }
+        // A full window before this call: its oldest innovation leaves now.
+        let full = self.counted(before, self.window());
+        self.alone(recursive, sampled, full, count)
     }
 
-    fn alone(&mut self, recursive: &Recursive, sampled: &Sampled, count: Value) -> Vec<Value> {
+    fn alone(&mut self, recursive: &Recursive, sampled: &Sampled, full: Value, count: Value) -> Vec<Value> {
         let filter = self.filter(recursive, "");
         let rings = self.innovation_rings("innovation");
         self.builder.section("copy and filter; they start with the first sample of a window");
         let fresh = self.fresh(count);
-        let full = self.counted(sampled.count, self.window());
         let none = self.builder.float(0.0);
         let before = self.filter_now(&filter);
         let running = self.unless(fresh, before);

@@ -75,7 +75,6 @@ impl<'a> Lowering<'a> {
         let interval_good = self.all(&signals.since);
         let lost = self.any(&lost);
         Sampled {
-            count,
             newest,
             samples_good,
             interval_good,
@@ -114,8 +113,7 @@ impl<'a> Lowering<'a> {
         let (samples_good, lost) = (self.builder.boolean(true), self.builder.boolean(false));
         let (interval_good, newest_good) = (self.all(&signals.since), self.all(&signals.now));
         let late = Vec::new();
-        let count = self.builder.read(self.cells.count);
-        Sampled { newest, count, samples_good, interval_good, newest_good, late, lost, outputs, signals: values, present }
+        Sampled { newest, samples_good, interval_good, newest_good, late, lost, outputs, signals: values, present }
     }
 
     /// Whether each sample is good, or missing as measurements at irregular times are.

@@ -36,6 +36,11 @@ pub struct ReadOut {
 
 /// A functional that has an innovation form, at any precision and window length.
 pub trait Form {
+    /// Whether the filter's modes are the plant's own run backwards, so that one that decays there grows here.
+    fn runs_backwards(&self) -> bool {
+        false
+    }
+
     /// What no window length changes.
     ///
     /// # Errors
@@ -54,6 +59,10 @@ pub trait Form {
 pub struct LeastSquares;
 
 impl Form for LeastSquares {
+    fn runs_backwards(&self) -> bool {
+        true
+    }
+
     fn dynamics(&self, model: &Model) -> Result<Dynamics, Singular> {
         let (n, p) = (model.phi.rows(), model.c.rows());
         Ok(Dynamics {

@@ -87,7 +87,7 @@ impl Recursive {
         let radius = radius(&inverse(&dynamics.back)?);
         let of_copy = self::radius(&dynamics.copy);
         if radius.is_none_or(|radius| radius > LARGEST_RADIUS) {
-            return Err(grows(plant, radius));
+            return Err(grows(plant, radius, form.runs_backwards()));
         }
         let f = dynamics.input.rows();
         let run = |precision: Precision| -> Result<Vec<Vec<Real>>, Vec<Diagnostic>> {
@@ -240,15 +240,16 @@ fn radius(matrix: &Matrix) -> Option<f64> {
     Some(sizes.iter().map(|z| deadbeat_math::sqrt_f64(z.re * z.re + z.im * z.im)).fold(0.0, f64::max))
 }
 
-fn grows(plant: &Plant, radius: Option<f64>) -> Refusal {
+fn grows(plant: &Plant, radius: Option<f64>, backwards: bool) -> Refusal {
     let Some(radius) = radius else {
         return Refusal::because("the modes of its filter cannot be found".into());
     };
+    let filter = if backwards { "its filter runs the plant backwards and has" } else { "its filter has" };
     if plant.discrete {
-        let why = format!("its filter has a mode of radius {radius:.4}; at most {LARGEST_RADIUS} dies out");
+        let why = format!("{filter} a mode of radius {radius:.4}; up to {LARGEST_RADIUS} dies out");
         return Refusal::measured(why, radius);
     }
     let rate = |radius: f64| deadbeat_math::log_f64(radius) / plant.sample_time_s();
     let (own, most) = (rate(radius), rate(LARGEST_RADIUS));
-    Refusal::measured(format!("its filter has a mode of {own:+.1} 1/s; below {most:.2} 1/s it dies out"), own)
+    Refusal::measured(format!("{filter} a mode of {own:+.1} 1/s; below {most:.2} 1/s it dies out"), own)
 }
