@@ -41,9 +41,7 @@ use crate::window::innovation::Innovation;
 use crate::window::intermittent::{Condition, Lifted, noise_gains};
 use crate::window::irregular;
 use crate::window::model::{Between, Model, signals_between};
-use crate::window::realize::{
-    self, ByInnovation, REALIZATION_CHOICES, REALIZATIONS, Realized, Request, WORDS, Wanted,
-};
+use crate::window::realize::{self, ByInnovation, REALIZATION_CHOICES, REALIZATIONS, Realized, Request, WORDS, Wanted};
 use crate::window::settle::{Bias, settle, settle_runs};
 use crate::window::solve::{Choice, Exact};
 use crate::window::tune::{self, best_k};

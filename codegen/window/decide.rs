@@ -6,11 +6,11 @@ use crate::design::Realization;
 use crate::diagnostic::{Diagnostic, codes};
 use crate::plant::Plant;
 
-use super::{Part, count};
 use super::realize::ping_pong::PingPong;
 use super::realize::recursive::Recursive;
 use super::realize::two_level::TwoLevel;
 use super::realize::{Depth, Load, Refusal, Request, Wanted, Way};
+use super::{Part, count};
 
 /// Weights up to which one sum over the window is best: bit-reproducible, nothing that could rot, few enough.
 const FEW_WEIGHTS: usize = 1_000;
@@ -48,7 +48,8 @@ impl Candidate {
 /// # Errors
 /// That the one that is wanted may not run.
 pub fn decide(plant: &Plant, request: &Request) -> Result<Decision, Vec<Diagnostic>> {
-    let mut candidates: Vec<Candidate> = [Wanted::Fir, Wanted::TwoLevel, Wanted::PingPong, Wanted::Recursive].map(|w| look(plant, request, w)).into();
+    let mut candidates: Vec<Candidate> =
+        [Wanted::Fir, Wanted::TwoLevel, Wanted::PingPong, Wanted::Recursive].map(|w| look(plant, request, w)).into();
     let chosen = match request.wanted {
         Wanted::Auto => best(request, &candidates),
         wanted => wanted,
@@ -115,7 +116,10 @@ fn judge(plant: &Plant, request: &Request, load: &Load) -> Result<f64, Refusal> 
 }
 
 fn inaccurate(plant: &Plant, relative: f64) -> Refusal {
-    Refusal::Unfit(format!("in {}, round-off could reach {relative:.0e} of the sum of its terms", plant.scalar), Some(relative))
+    Refusal::Unfit(
+        format!("in {}, round-off could reach {relative:.0e} of the sum of its terms", plant.scalar),
+        Some(relative),
+    )
 }
 
 /// The sum, unless it is long and blocks are clearly cheaper and as accurate.

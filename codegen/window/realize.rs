@@ -259,12 +259,15 @@ impl Way {
     pub fn note(&self) -> Option<String> {
         match self {
             Self::Fir => None,
-            Self::TwoLevel(two) => {
-                Some(format!("computed in blocks of {} samples: {} whole ones and two in part", two.cut.block, two.cut.whole))
-            }
+            Self::TwoLevel(two) => Some(format!(
+                "computed in blocks of {} samples: {} whole ones and two in part",
+                two.cut.block, two.cut.whole
+            )),
             Self::PingPong(pair) => {
                 let (least, most) = (pair.steps + 1, 2 * pair.steps);
-                Some(format!("two copies take turns: the window has {least} to {most} samples, the gains are of the worst"))
+                Some(format!(
+                    "two copies take turns: the window has {least} to {most} samples, the gains are of the worst"
+                ))
             }
             Self::Recursive(filter) if filter.turns => Some("two copies with their filters take turns".into()),
             Self::Recursive(filter) => {

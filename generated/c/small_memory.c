@@ -243,22 +243,28 @@ typedef struct {
     float t11;
     float t17;
     uint32_t t26;
-    uint32_t t36;
-    float t50;
-    float t52;
-    float t54;
-    float t56;
+    uint32_t t31;
+    float t47;
+    float t49;
+    float t51;
+    float t53;
+    float t55;
+    uint32_t t57;
     float t58;
     float t59;
     float t60;
     float t61;
     float t62;
-    float t63;
-    float t134;
-    float t135;
-    float t136;
-    small_memory_status t143;
-    int flags[2]; /* t33, t37 */
+    uint32_t t63;
+    uint32_t t107;
+    float t128;
+    float t131;
+    float t133;
+    float t140;
+    float t141;
+    float t142;
+    small_memory_status t148;
+    int flags[4]; /* t4, t6, t28, t32 */
 } small_memory_work;
 
 /* Part 1 of a step. */
@@ -268,11 +274,11 @@ static void small_memory_part_1(small_memory_state *state, const small_memory_me
     const uint32_t t0 = state->count;
     const int t2 = 40U < t0;
     const float t3 = measurements->angle;
-    const int t4 = (-1e31f <= t3) && (t3 <= 1e31f);
+    work->flags[0] = (-1e31f <= t3) && (t3 <= 1e31f);
     const float t5 = inputs->torque;
-    const int t6 = (-1e31f <= t5) && (t5 <= 1e31f);
+    work->flags[1] = (-1e31f <= t5) && (t5 <= 1e31f);
     const float t7 = state->torque;
-    work->t8 = t6 ? t5 : t7;
+    work->t8 = work->flags[1] ? t5 : t7;
 
     /* prediction, for a sample that is missing */
     const float t9 = state->ahead_angle;
@@ -282,80 +288,80 @@ static void small_memory_part_1(small_memory_state *state, const small_memory_me
     const int t14 = (-1e31f <= t12) && (t12 <= 1e31f);
     const int t15 = t2 && t14;
     const float t16 = t15 ? t12 : t13;
-    work->t17 = t4 ? t3 : t16;
-    const int t18 = t4 || t15;
+    work->t17 = work->flags[0] ? t3 : t16;
+    const int t18 = work->flags[0] || t15;
     const int t19 = !t18;
 
     /* how much of the window is good */
     const uint32_t t22 = (t0 < 41U) ? (t0 + 1U) : 41U;
     const uint32_t t23 = t19 ? 0U : t22;
-    const uint32_t t24 = t6 ? t22 : 1U;
-    const uint32_t t25 = t4 ? t24 : 0U;
+    const uint32_t t24 = work->flags[1] ? t22 : 1U;
+    const uint32_t t25 = work->flags[0] ? t24 : 0U;
     work->t26 = t2 ? t23 : t25;
     state->count = work->t26;
-    const uint32_t t27 = state->coasting;
-    const uint32_t t28 = (t27 > 0U) ? (t27 - 1U) : 0U;
-    const uint32_t t29 = t6 ? t28 : 40U;
-    const uint32_t t31 = t4 ? t29 : 41U;
-    state->coasting = t31;
 
     /* into the window */
     state->angle = work->t17;
     state->torque = work->t8;
 
     /* two copies, restarted by turns; both with the first sample of a window */
-    work->flags[0] = work->t26 < 2U;
-    const uint32_t t34 = state->age;
-    const uint32_t t35 = (t34 < 39U) ? (t34 + 1U) : 0U;
-    work->t36 = work->flags[0] ? 0U : t35;
-    state->age = work->t36;
-    work->flags[1] = work->t36 == 0U;
-    const float t38 = state->used_angle;
-    const float t39 = state->used_speed;
-    const float t40 = state->used_statistic;
-    const float t41 = state->used_statistic_2;
-    const float t42 = state->used_statistic_3;
-    const float t43 = state->filling_angle;
-    const float t44 = state->filling_speed;
-    const float t45 = state->filling_statistic;
-    const float t46 = state->filling_statistic_2;
-    const float t47 = state->filling_statistic_3;
-    const float t49 = work->flags[1] ? t43 : t38;
-    work->t50 = work->flags[0] ? 0.0f : t49;
-    const float t51 = work->flags[1] ? t44 : t39;
-    work->t52 = work->flags[0] ? 0.0f : t51;
-    const float t53 = work->flags[1] ? t45 : t40;
-    work->t54 = work->flags[0] ? 0.0f : t53;
-    const float t55 = work->flags[1] ? t46 : t41;
-    work->t56 = work->flags[0] ? 0.0f : t55;
-    const float t57 = work->flags[1] ? t47 : t42;
-    work->t58 = work->flags[0] ? 0.0f : t57;
-    work->t59 = work->flags[1] ? 0.0f : t43;
-    work->t60 = work->flags[1] ? 0.0f : t44;
-    work->t61 = work->flags[1] ? 0.0f : t45;
-    work->t62 = work->flags[1] ? 0.0f : t46;
-    work->t63 = work->flags[1] ? 0.0f : t47;
+    work->flags[2] = work->t26 < 2U;
+    const uint32_t t29 = state->age;
+    const uint32_t t30 = (t29 < 39U) ? (t29 + 1U) : 0U;
+    work->t31 = work->flags[2] ? 0U : t30;
+    state->age = work->t31;
+    work->flags[3] = work->t31 == 0U;
+    const float t33 = state->used_angle;
+    const float t34 = state->used_speed;
+    const float t35 = state->used_statistic;
+    const float t36 = state->used_statistic_2;
+    const float t37 = state->used_statistic_3;
+    const uint32_t t38 = state->used_replaced;
+    const float t39 = state->filling_angle;
+    const float t40 = state->filling_speed;
+    const float t41 = state->filling_statistic;
+    const float t42 = state->filling_statistic_2;
+    const float t43 = state->filling_statistic_3;
+    const uint32_t t44 = state->filling_replaced;
+    const float t46 = work->flags[3] ? t39 : t33;
+    work->t47 = work->flags[2] ? 0.0f : t46;
+    const float t48 = work->flags[3] ? t40 : t34;
+    work->t49 = work->flags[2] ? 0.0f : t48;
+    const float t50 = work->flags[3] ? t41 : t35;
+    work->t51 = work->flags[2] ? 0.0f : t50;
+    const float t52 = work->flags[3] ? t42 : t36;
+    work->t53 = work->flags[2] ? 0.0f : t52;
+    const float t54 = work->flags[3] ? t43 : t37;
+    work->t55 = work->flags[2] ? 0.0f : t54;
+    const uint32_t t56 = work->flags[3] ? t44 : t38;
+    work->t57 = work->flags[2] ? 0U : t56;
+    work->t58 = work->flags[3] ? 0.0f : t39;
+    work->t59 = work->flags[3] ? 0.0f : t40;
+    work->t60 = work->flags[3] ? 0.0f : t41;
+    work->t61 = work->flags[3] ? 0.0f : t42;
+    work->t62 = work->flags[3] ? 0.0f : t43;
+    work->t63 = work->flags[3] ? 0U : t44;
 }
 
 /* Part 2 of a step. */
 static void small_memory_part_2(small_memory_state *state, small_memory_work *work)
 {
     /* the copy that fills */
-    const float t64 = work->t59 + work->t11;
+    const float t64 = work->t58 + work->t11;
     const float t66 = 0.49962518f * work->t8;
-    const float t67 = work->t60 + t66;
-    const float t68 = work->flags[1] ? 0.0f : t64;
-    const float t69 = work->flags[1] ? 0.0f : t67;
+    const float t67 = work->t59 + t66;
+    const float t68 = work->flags[3] ? 0.0f : t64;
+    const float t69 = work->flags[3] ? 0.0f : t67;
     const float t70 = work->t17 - t68;
-    const float t71 = SMALL_MEMORY_AGES[work->t36][0];
+    const float t71 = SMALL_MEMORY_AGES[work->t31][0];
     const float t72 = t71 * t70;
-    const float t73 = work->t61 + t72;
-    const float t74 = SMALL_MEMORY_AGES[work->t36][1];
+    const float t73 = work->t60 + t72;
+    const float t74 = SMALL_MEMORY_AGES[work->t31][1];
     const float t75 = t74 * t70;
-    const float t76 = work->t62 + t75;
-    const float t77 = SMALL_MEMORY_AGES[work->t36][2];
+    const float t76 = work->t61 + t75;
+    const float t77 = SMALL_MEMORY_AGES[work->t31][2];
     const float t78 = t77 * t70;
-    const float t79 = work->t63 + t78;
+    const float t79 = work->t62 + t78;
     state->filling_statistic = t73;
     state->filling_statistic_2 = t76;
     state->filling_statistic_3 = t79;
@@ -364,73 +370,84 @@ static void small_memory_part_2(small_memory_state *state, small_memory_work *wo
     const float t84 = 0.9985011f * t69;
     state->filling_angle = t82;
     state->filling_speed = t84;
+    const int t85 = work->flags[1] || work->flags[3];
+    const int t86 = work->flags[0] && t85;
+    const uint32_t t87 = t86 ? work->t63 : 1U;
+    state->filling_replaced = t87;
 
     /* the copy that is used, and the estimate */
-    const float t85 = work->t50 + work->t11;
-    const float t86 = work->t52 + t66;
-    const float t87 = work->flags[0] ? 0.0f : t85;
-    const float t88 = work->flags[0] ? 0.0f : t86;
-    const float t89 = work->t17 - t87;
-    const float t90 = SMALL_MEMORY_AGES[work->t36][3];
-    const float t91 = t90 * t89;
-    const float t92 = work->t54 + t91;
-    const float t93 = SMALL_MEMORY_AGES[work->t36][4];
-    const float t94 = t93 * t89;
-    const float t95 = work->t56 + t94;
-    const float t96 = SMALL_MEMORY_AGES[work->t36][5];
-    const float t97 = t96 * t89;
-    const float t98 = work->t58 + t97;
-    state->used_statistic = t92;
-    state->used_statistic_2 = t95;
-    state->used_statistic_3 = t98;
-    const float t99 = 0.0009992503f * t88;
-    const float t100 = t87 + t99;
-    const float t101 = 0.9985011f * t88;
-    state->used_angle = t100;
-    state->used_speed = t101;
-    const float t102 = SMALL_MEMORY_AGES[work->t36][6];
-    const float t103 = t102 * t92;
-    const float t104 = SMALL_MEMORY_AGES[work->t36][7];
-    const float t105 = t104 * t95;
-    const float t106 = SMALL_MEMORY_AGES[work->t36][8];
-    const float t107 = t106 * t98;
-    const float t108 = SMALL_MEMORY_AGES[work->t36][9];
-    const float t109 = t108 * t92;
-    const float t110 = SMALL_MEMORY_AGES[work->t36][10];
-    const float t111 = t110 * t95;
-    const float t112 = SMALL_MEMORY_AGES[work->t36][11];
-    const float t113 = t112 * t98;
-    const float t114 = SMALL_MEMORY_AGES[work->t36][12];
-    const float t115 = t114 * t92;
-    const float t116 = SMALL_MEMORY_AGES[work->t36][13];
-    const float t117 = t116 * t95;
-    const float t118 = SMALL_MEMORY_AGES[work->t36][14];
-    const float t119 = t118 * t98;
-    const float t120 = t87 + t103;
-    const float t121 = t120 + t105;
-    const float t122 = t121 + t107;
-    const float t123 = t88 + t109;
-    const float t124 = t123 + t111;
-    const float t125 = t124 + t113;
-    const float t126 = t115 + t117;
-    const float t127 = t126 + t119;
+    const float t88 = work->t47 + work->t11;
+    const float t89 = work->t49 + t66;
+    const float t90 = work->flags[2] ? 0.0f : t88;
+    const float t91 = work->flags[2] ? 0.0f : t89;
+    const float t92 = work->t17 - t90;
+    const float t93 = SMALL_MEMORY_AGES[work->t31][3];
+    const float t94 = t93 * t92;
+    const float t95 = work->t51 + t94;
+    const float t96 = SMALL_MEMORY_AGES[work->t31][4];
+    const float t97 = t96 * t92;
+    const float t98 = work->t53 + t97;
+    const float t99 = SMALL_MEMORY_AGES[work->t31][5];
+    const float t100 = t99 * t92;
+    const float t101 = work->t55 + t100;
+    state->used_statistic = t95;
+    state->used_statistic_2 = t98;
+    state->used_statistic_3 = t101;
+    const float t102 = 0.0009992503f * t91;
+    const float t103 = t90 + t102;
+    const float t104 = 0.9985011f * t91;
+    state->used_angle = t103;
+    state->used_speed = t104;
+    const int t105 = work->flags[1] || work->flags[2];
+    const int t106 = work->flags[0] && t105;
+    work->t107 = t106 ? work->t57 : 1U;
+    state->used_replaced = work->t107;
+    const float t108 = SMALL_MEMORY_AGES[work->t31][6];
+    const float t109 = t108 * t95;
+    const float t110 = SMALL_MEMORY_AGES[work->t31][7];
+    const float t111 = t110 * t98;
+    const float t112 = SMALL_MEMORY_AGES[work->t31][8];
+    const float t113 = t112 * t101;
+    const float t114 = SMALL_MEMORY_AGES[work->t31][9];
+    const float t115 = t114 * t95;
+    const float t116 = SMALL_MEMORY_AGES[work->t31][10];
+    const float t117 = t116 * t98;
+    const float t118 = SMALL_MEMORY_AGES[work->t31][11];
+    const float t119 = t118 * t101;
+    const float t120 = SMALL_MEMORY_AGES[work->t31][12];
+    const float t121 = t120 * t95;
+    const float t122 = SMALL_MEMORY_AGES[work->t31][13];
+    const float t123 = t122 * t98;
+    const float t124 = SMALL_MEMORY_AGES[work->t31][14];
+    const float t125 = t124 * t101;
+    const float t126 = t90 + t109;
+    const float t127 = t126 + t111;
+    work->t128 = t127 + t113;
+    const float t129 = t91 + t115;
+    const float t130 = t129 + t117;
+    work->t131 = t130 + t119;
+    const float t132 = t121 + t123;
+    work->t133 = t132 + t125;
 
     /* the next measurement, as far as it is known */
-    const float t128 = 0.0009992503f * t125;
-    const float t130 = -4.997501e-7f * t127;
-    const float t131 = t122 + t128;
-    const float t132 = t131 + t130;
-    state->ahead_angle = t132;
+    const float t134 = 0.0009992503f * work->t131;
+    const float t136 = -4.997501e-7f * work->t133;
+    const float t137 = work->t128 + t134;
+    const float t138 = t137 + t136;
+    state->ahead_angle = t138;
+}
 
+/* Part 3 of a step. */
+static void small_memory_part_3(small_memory_work *work)
+{
     /* the estimate; until the window is full, the start */
-    const int t133 = 40U < work->t26;
-    work->t134 = t133 ? t122 : work->t17;
-    work->t135 = t133 ? t125 : 0.0f;
-    work->t136 = t133 ? t127 : 0.0f;
-    const uint32_t t137 = state->coasting;
-    const int t138 = t137 == 0U;
-    const small_memory_status t142 = t138 ? SMALL_MEMORY_CONVERGED : SMALL_MEMORY_COASTING;
-    work->t143 = t133 ? t142 : SMALL_MEMORY_CONVERGING;
+    const int t139 = 40U < work->t26;
+    work->t140 = t139 ? work->t128 : work->t17;
+    work->t141 = t139 ? work->t131 : 0.0f;
+    work->t142 = t139 ? work->t133 : 0.0f;
+    const int t143 = work->t107 == 0U;
+    const small_memory_status t147 = t143 ? SMALL_MEMORY_CONVERGED : SMALL_MEMORY_COASTING;
+    work->t148 = t139 ? t147 : SMALL_MEMORY_CONVERGING;
 }
 
 void small_memory_init(small_memory_state *state)
@@ -438,18 +455,19 @@ void small_memory_init(small_memory_state *state)
     state->angle = 0.0f;
     state->torque = 0.0f;
     state->count = 0U;
-    state->coasting = 0U;
     state->ahead_angle = 0.0f;
     state->used_angle = 0.0f;
     state->used_speed = 0.0f;
     state->used_statistic = 0.0f;
     state->used_statistic_2 = 0.0f;
     state->used_statistic_3 = 0.0f;
+    state->used_replaced = 0U;
     state->filling_angle = 0.0f;
     state->filling_speed = 0.0f;
     state->filling_statistic = 0.0f;
     state->filling_statistic_2 = 0.0f;
     state->filling_statistic_3 = 0.0f;
+    state->filling_replaced = 0U;
     state->age = 0U;
 }
 
@@ -459,9 +477,10 @@ void small_memory_step(small_memory_state *state, const small_memory_measurement
     small_memory_work work;
     small_memory_part_1(state, measurements, inputs, &work);
     small_memory_part_2(state, &work);
+    small_memory_part_3(&work);
 
-    estimate->angle = work.t134;
-    estimate->speed = work.t135;
-    estimate->load = work.t136;
-    estimate->status = work.t143;
+    estimate->angle = work.t140;
+    estimate->speed = work.t141;
+    estimate->load = work.t142;
+    estimate->status = work.t148;
 }

@@ -19,8 +19,8 @@
  *   error bound from noise             0.002104  0.2784  13.76
  *
  * Cost       23 multiplications, 25 additions a call, the same for every call
- * Memory     state 64 bytes, constants 2400 bytes
- *            at most: stack 1408 bytes, flash 7496 bytes without elementary functions
+ * Memory     state 68 bytes, constants 2400 bytes
+ *            at most: stack 1448 bytes, flash 7704 bytes without elementary functions
  *
  * Contract:
  *  1. No heap, no recursion, no global or static mutable data, no file or console, no library.
@@ -75,18 +75,19 @@ typedef struct {
     float angle;               /* the newest sample of angle, rad */
     float torque;              /* the newest torque */
     uint32_t count;            /* good samples in a row, then predicted ones too, at most 41 */
-    uint32_t coasting;         /* calls until no replaced sample is in the window */
     float ahead_angle;         /* the next angle, as far as it is known */
     float used_angle;          /* angle as the used copy hands it on */
     float used_speed;          /* speed as the used copy hands it on */
     float used_statistic;      /* component 0 of the statistic of the used copy */
     float used_statistic_2;    /* component 1 of the statistic of the used copy */
     float used_statistic_3;    /* component 2 of the statistic of the used copy */
+    uint32_t used_replaced;    /* 1 while the used copy has seen a replaced sample */
     float filling_angle;       /* angle as the filling copy hands it on */
     float filling_speed;       /* speed as the filling copy hands it on */
     float filling_statistic;   /* component 0 of the statistic of the filling copy */
     float filling_statistic_2; /* component 1 of the statistic of the filling copy */
     float filling_statistic_3; /* component 2 of the statistic of the filling copy */
+    uint32_t filling_replaced; /* 1 while the filling copy has seen a replaced sample */
     uint32_t age;              /* calls since the copies took turns */
 } small_memory_state;
 

@@ -20,8 +20,8 @@
 //!   error bound from noise             0.002104  0.2784  13.76
 //!
 //! Cost       23 multiplications, 25 additions a call, the same for every call
-//! Memory     state 64 bytes, constants 2400 bytes
-//!            at most: stack 1408 bytes, flash 7496 bytes without elementary functions
+//! Memory     state 68 bytes, constants 2400 bytes
+//!            at most: stack 1448 bytes, flash 7704 bytes without elementary functions
 //!
 //! Contract:
 //!  1. No heap, no recursion, no global or static mutable data, no file or console, no library.
@@ -77,8 +77,6 @@ pub struct Observer {
     torque: f32,
     /// good samples in a row, then predicted ones too, at most 41
     count: usize,
-    /// calls until no replaced sample is in the window
-    coasting: usize,
     /// the next angle, as far as it is known
     ahead_angle: f32,
     /// angle as the used copy hands it on
@@ -91,6 +89,8 @@ pub struct Observer {
     used_statistic_2: f32,
     /// component 2 of the statistic of the used copy
     used_statistic_3: f32,
+    /// 1 while the used copy has seen a replaced sample
+    used_replaced: usize,
     /// angle as the filling copy hands it on
     filling_angle: f32,
     /// speed as the filling copy hands it on
@@ -101,6 +101,8 @@ pub struct Observer {
     filling_statistic_2: f32,
     /// component 2 of the statistic of the filling copy
     filling_statistic_3: f32,
+    /// 1 while the filling copy has seen a replaced sample
+    filling_replaced: usize,
     /// calls since the copies took turns
     age: usize,
 }
@@ -321,23 +323,29 @@ struct Work {
     t11: f32,
     t17: f32,
     t26: usize,
-    t36: usize,
-    t50: f32,
-    t52: f32,
-    t54: f32,
-    t56: f32,
+    t31: usize,
+    t47: f32,
+    t49: f32,
+    t51: f32,
+    t53: f32,
+    t55: f32,
+    t57: usize,
     t58: f32,
     t59: f32,
     t60: f32,
     t61: f32,
     t62: f32,
-    t63: f32,
-    t134: f32,
-    t135: f32,
-    t136: f32,
-    t143: Status,
-    /// t33, t37
-    flags: [bool; 2],
+    t63: usize,
+    t107: usize,
+    t128: f32,
+    t131: f32,
+    t133: f32,
+    t140: f32,
+    t141: f32,
+    t142: f32,
+    t148: Status,
+    /// t4, t6, t28, t32
+    flags: [bool; 4],
 }
 
 impl Work {
@@ -347,22 +355,28 @@ impl Work {
         t11: 0.0,
         t17: 0.0,
         t26: 0,
-        t36: 0,
-        t50: 0.0,
-        t52: 0.0,
-        t54: 0.0,
-        t56: 0.0,
+        t31: 0,
+        t47: 0.0,
+        t49: 0.0,
+        t51: 0.0,
+        t53: 0.0,
+        t55: 0.0,
+        t57: 0,
         t58: 0.0,
         t59: 0.0,
         t60: 0.0,
         t61: 0.0,
         t62: 0.0,
-        t63: 0.0,
-        t134: 0.0,
-        t135: 0.0,
-        t136: 0.0,
-        t143: Status::Converging,
-        flags: [false; 2],
+        t63: 0,
+        t107: 0,
+        t128: 0.0,
+        t131: 0.0,
+        t133: 0.0,
+        t140: 0.0,
+        t141: 0.0,
+        t142: 0.0,
+        t148: Status::Converging,
+        flags: [false; 4],
     };
 }
 
@@ -374,18 +388,19 @@ impl Observer {
             angle: 0.0,
             torque: 0.0,
             count: 0,
-            coasting: 0,
             ahead_angle: 0.0,
             used_angle: 0.0,
             used_speed: 0.0,
             used_statistic: 0.0,
             used_statistic_2: 0.0,
             used_statistic_3: 0.0,
+            used_replaced: 0,
             filling_angle: 0.0,
             filling_speed: 0.0,
             filling_statistic: 0.0,
             filling_statistic_2: 0.0,
             filling_statistic_3: 0.0,
+            filling_replaced: 0,
             age: 0,
         }
     }
@@ -396,11 +411,12 @@ impl Observer {
         let mut work = Work::EMPTY;
         self.part_1(measurements, inputs, &mut work);
         self.part_2(&mut work);
+        Self::part_3(&mut work);
         Estimate {
-            angle: work.t134,
-            speed: work.t135,
-            load: work.t136,
-            status: work.t143,
+            angle: work.t140,
+            speed: work.t141,
+            load: work.t142,
+            status: work.t148,
         }
     }
 
@@ -410,11 +426,11 @@ impl Observer {
         let t0 = self.count;
         let t2 = 40 < t0;
         let t3 = measurements.angle;
-        let t4 = (-1e31..=1e31).contains(&t3);
+        work.flags[0] = (-1e31..=1e31).contains(&t3);
         let t5 = inputs.torque;
-        let t6 = (-1e31..=1e31).contains(&t5);
+        work.flags[1] = (-1e31..=1e31).contains(&t5);
         let t7 = self.torque;
-        work.t8 = if t6 { t5 } else { t7 };
+        work.t8 = if work.flags[1] { t5 } else { t7 };
 
         // prediction, for a sample that is missing
         let t9 = self.ahead_angle;
@@ -424,79 +440,79 @@ impl Observer {
         let t14 = (-1e31..=1e31).contains(&t12);
         let t15 = t2 && t14;
         let t16 = if t15 { t12 } else { t13 };
-        work.t17 = if t4 { t3 } else { t16 };
-        let t18 = t4 || t15;
+        work.t17 = if work.flags[0] { t3 } else { t16 };
+        let t18 = work.flags[0] || t15;
         let t19 = !t18;
 
         // how much of the window is good
         let t22 = if t0 < 41 { t0 + 1 } else { 41 };
         let t23 = if t19 { 0 } else { t22 };
-        let t24 = if t6 { t22 } else { 1 };
-        let t25 = if t4 { t24 } else { 0 };
+        let t24 = if work.flags[1] { t22 } else { 1 };
+        let t25 = if work.flags[0] { t24 } else { 0 };
         work.t26 = if t2 { t23 } else { t25 };
         self.count = work.t26;
-        let t27 = self.coasting;
-        let t28 = t27.saturating_sub(1);
-        let t29 = if t6 { t28 } else { 40 };
-        let t31 = if t4 { t29 } else { 41 };
-        self.coasting = t31;
 
         // into the window
         self.angle = work.t17;
         self.torque = work.t8;
 
         // two copies, restarted by turns; both with the first sample of a window
-        work.flags[0] = work.t26 < 2;
-        let t34 = self.age;
-        let t35 = if t34 < 39 { t34 + 1 } else { 0 };
-        work.t36 = if work.flags[0] { 0 } else { t35 };
-        self.age = work.t36;
-        work.flags[1] = work.t36 == 0;
-        let t38 = self.used_angle;
-        let t39 = self.used_speed;
-        let t40 = self.used_statistic;
-        let t41 = self.used_statistic_2;
-        let t42 = self.used_statistic_3;
-        let t43 = self.filling_angle;
-        let t44 = self.filling_speed;
-        let t45 = self.filling_statistic;
-        let t46 = self.filling_statistic_2;
-        let t47 = self.filling_statistic_3;
-        let t49 = if work.flags[1] { t43 } else { t38 };
-        work.t50 = if work.flags[0] { 0.0 } else { t49 };
-        let t51 = if work.flags[1] { t44 } else { t39 };
-        work.t52 = if work.flags[0] { 0.0 } else { t51 };
-        let t53 = if work.flags[1] { t45 } else { t40 };
-        work.t54 = if work.flags[0] { 0.0 } else { t53 };
-        let t55 = if work.flags[1] { t46 } else { t41 };
-        work.t56 = if work.flags[0] { 0.0 } else { t55 };
-        let t57 = if work.flags[1] { t47 } else { t42 };
-        work.t58 = if work.flags[0] { 0.0 } else { t57 };
-        work.t59 = if work.flags[1] { 0.0 } else { t43 };
-        work.t60 = if work.flags[1] { 0.0 } else { t44 };
-        work.t61 = if work.flags[1] { 0.0 } else { t45 };
-        work.t62 = if work.flags[1] { 0.0 } else { t46 };
-        work.t63 = if work.flags[1] { 0.0 } else { t47 };
+        work.flags[2] = work.t26 < 2;
+        let t29 = self.age;
+        let t30 = if t29 < 39 { t29 + 1 } else { 0 };
+        work.t31 = if work.flags[2] { 0 } else { t30 };
+        self.age = work.t31;
+        work.flags[3] = work.t31 == 0;
+        let t33 = self.used_angle;
+        let t34 = self.used_speed;
+        let t35 = self.used_statistic;
+        let t36 = self.used_statistic_2;
+        let t37 = self.used_statistic_3;
+        let t38 = self.used_replaced;
+        let t39 = self.filling_angle;
+        let t40 = self.filling_speed;
+        let t41 = self.filling_statistic;
+        let t42 = self.filling_statistic_2;
+        let t43 = self.filling_statistic_3;
+        let t44 = self.filling_replaced;
+        let t46 = if work.flags[3] { t39 } else { t33 };
+        work.t47 = if work.flags[2] { 0.0 } else { t46 };
+        let t48 = if work.flags[3] { t40 } else { t34 };
+        work.t49 = if work.flags[2] { 0.0 } else { t48 };
+        let t50 = if work.flags[3] { t41 } else { t35 };
+        work.t51 = if work.flags[2] { 0.0 } else { t50 };
+        let t52 = if work.flags[3] { t42 } else { t36 };
+        work.t53 = if work.flags[2] { 0.0 } else { t52 };
+        let t54 = if work.flags[3] { t43 } else { t37 };
+        work.t55 = if work.flags[2] { 0.0 } else { t54 };
+        let t56 = if work.flags[3] { t44 } else { t38 };
+        work.t57 = if work.flags[2] { 0 } else { t56 };
+        work.t58 = if work.flags[3] { 0.0 } else { t39 };
+        work.t59 = if work.flags[3] { 0.0 } else { t40 };
+        work.t60 = if work.flags[3] { 0.0 } else { t41 };
+        work.t61 = if work.flags[3] { 0.0 } else { t42 };
+        work.t62 = if work.flags[3] { 0.0 } else { t43 };
+        work.t63 = if work.flags[3] { 0 } else { t44 };
     }
 
     /// Part 2 of a step.
     fn part_2(&mut self, work: &mut Work) {
         // the copy that fills
-        let t64 = work.t59 + work.t11;
+        let t64 = work.t58 + work.t11;
         let t66 = 0.499_625_18 * work.t8;
-        let t67 = work.t60 + t66;
-        let t68 = if work.flags[1] { 0.0 } else { t64 };
-        let t69 = if work.flags[1] { 0.0 } else { t67 };
+        let t67 = work.t59 + t66;
+        let t68 = if work.flags[3] { 0.0 } else { t64 };
+        let t69 = if work.flags[3] { 0.0 } else { t67 };
         let t70 = work.t17 - t68;
-        let t71 = AGES[work.t36.min(39)][0];
+        let t71 = AGES[work.t31.min(39)][0];
         let t72 = t71 * t70;
-        let t73 = work.t61 + t72;
-        let t74 = AGES[work.t36.min(39)][1];
+        let t73 = work.t60 + t72;
+        let t74 = AGES[work.t31.min(39)][1];
         let t75 = t74 * t70;
-        let t76 = work.t62 + t75;
-        let t77 = AGES[work.t36.min(39)][2];
+        let t76 = work.t61 + t75;
+        let t77 = AGES[work.t31.min(39)][2];
         let t78 = t77 * t70;
-        let t79 = work.t63 + t78;
+        let t79 = work.t62 + t78;
         self.filling_statistic = t73;
         self.filling_statistic_2 = t76;
         self.filling_statistic_3 = t79;
@@ -505,73 +521,83 @@ impl Observer {
         let t84 = 0.998_501_1 * t69;
         self.filling_angle = t82;
         self.filling_speed = t84;
+        let t85 = work.flags[1] || work.flags[3];
+        let t86 = work.flags[0] && t85;
+        let t87 = if t86 { work.t63 } else { 1 };
+        self.filling_replaced = t87;
 
         // the copy that is used, and the estimate
-        let t85 = work.t50 + work.t11;
-        let t86 = work.t52 + t66;
-        let t87 = if work.flags[0] { 0.0 } else { t85 };
-        let t88 = if work.flags[0] { 0.0 } else { t86 };
-        let t89 = work.t17 - t87;
-        let t90 = AGES[work.t36.min(39)][3];
-        let t91 = t90 * t89;
-        let t92 = work.t54 + t91;
-        let t93 = AGES[work.t36.min(39)][4];
-        let t94 = t93 * t89;
-        let t95 = work.t56 + t94;
-        let t96 = AGES[work.t36.min(39)][5];
-        let t97 = t96 * t89;
-        let t98 = work.t58 + t97;
-        self.used_statistic = t92;
-        self.used_statistic_2 = t95;
-        self.used_statistic_3 = t98;
-        let t99 = 0.000_999_250_3 * t88;
-        let t100 = t87 + t99;
-        let t101 = 0.998_501_1 * t88;
-        self.used_angle = t100;
-        self.used_speed = t101;
-        let t102 = AGES[work.t36.min(39)][6];
-        let t103 = t102 * t92;
-        let t104 = AGES[work.t36.min(39)][7];
-        let t105 = t104 * t95;
-        let t106 = AGES[work.t36.min(39)][8];
-        let t107 = t106 * t98;
-        let t108 = AGES[work.t36.min(39)][9];
-        let t109 = t108 * t92;
-        let t110 = AGES[work.t36.min(39)][10];
-        let t111 = t110 * t95;
-        let t112 = AGES[work.t36.min(39)][11];
-        let t113 = t112 * t98;
-        let t114 = AGES[work.t36.min(39)][12];
-        let t115 = t114 * t92;
-        let t116 = AGES[work.t36.min(39)][13];
-        let t117 = t116 * t95;
-        let t118 = AGES[work.t36.min(39)][14];
-        let t119 = t118 * t98;
-        let t120 = t87 + t103;
-        let t121 = t120 + t105;
-        let t122 = t121 + t107;
-        let t123 = t88 + t109;
-        let t124 = t123 + t111;
-        let t125 = t124 + t113;
-        let t126 = t115 + t117;
-        let t127 = t126 + t119;
+        let t88 = work.t47 + work.t11;
+        let t89 = work.t49 + t66;
+        let t90 = if work.flags[2] { 0.0 } else { t88 };
+        let t91 = if work.flags[2] { 0.0 } else { t89 };
+        let t92 = work.t17 - t90;
+        let t93 = AGES[work.t31.min(39)][3];
+        let t94 = t93 * t92;
+        let t95 = work.t51 + t94;
+        let t96 = AGES[work.t31.min(39)][4];
+        let t97 = t96 * t92;
+        let t98 = work.t53 + t97;
+        let t99 = AGES[work.t31.min(39)][5];
+        let t100 = t99 * t92;
+        let t101 = work.t55 + t100;
+        self.used_statistic = t95;
+        self.used_statistic_2 = t98;
+        self.used_statistic_3 = t101;
+        let t102 = 0.000_999_250_3 * t91;
+        let t103 = t90 + t102;
+        let t104 = 0.998_501_1 * t91;
+        self.used_angle = t103;
+        self.used_speed = t104;
+        let t105 = work.flags[1] || work.flags[2];
+        let t106 = work.flags[0] && t105;
+        work.t107 = if t106 { work.t57 } else { 1 };
+        self.used_replaced = work.t107;
+        let t108 = AGES[work.t31.min(39)][6];
+        let t109 = t108 * t95;
+        let t110 = AGES[work.t31.min(39)][7];
+        let t111 = t110 * t98;
+        let t112 = AGES[work.t31.min(39)][8];
+        let t113 = t112 * t101;
+        let t114 = AGES[work.t31.min(39)][9];
+        let t115 = t114 * t95;
+        let t116 = AGES[work.t31.min(39)][10];
+        let t117 = t116 * t98;
+        let t118 = AGES[work.t31.min(39)][11];
+        let t119 = t118 * t101;
+        let t120 = AGES[work.t31.min(39)][12];
+        let t121 = t120 * t95;
+        let t122 = AGES[work.t31.min(39)][13];
+        let t123 = t122 * t98;
+        let t124 = AGES[work.t31.min(39)][14];
+        let t125 = t124 * t101;
+        let t126 = t90 + t109;
+        let t127 = t126 + t111;
+        work.t128 = t127 + t113;
+        let t129 = t91 + t115;
+        let t130 = t129 + t117;
+        work.t131 = t130 + t119;
+        let t132 = t121 + t123;
+        work.t133 = t132 + t125;
 
         // the next measurement, as far as it is known
-        let t128 = 0.000_999_250_3 * t125;
-        let t130 = -4.997_501e-7 * t127;
-        let t131 = t122 + t128;
-        let t132 = t131 + t130;
-        self.ahead_angle = t132;
+        let t134 = 0.000_999_250_3 * work.t131;
+        let t136 = -4.997_501e-7 * work.t133;
+        let t137 = work.t128 + t134;
+        let t138 = t137 + t136;
+        self.ahead_angle = t138;
+    }
 
+    /// Part 3 of a step.
+    fn part_3(work: &mut Work) {
         // the estimate; until the window is full, the start
-        let t133 = 40 < work.t26;
-        work.t134 = if t133 { t122 } else { work.t17 };
-        work.t135 = if t133 { t125 } else { 0.0 };
-        work.t136 = if t133 { t127 } else { 0.0 };
-        let t137 = self.coasting;
-        let t138 = t137 == 0;
-        let t142 = if t138 { Status::Converged } else { Status::Coasting };
-        work.t143 = if t133 { t142 } else { Status::Converging };
+        let t139 = 40 < work.t26;
+        work.t140 = if t139 { work.t128 } else { work.t17 };
+        work.t141 = if t139 { work.t131 } else { 0.0 };
+        work.t142 = if t139 { work.t133 } else { 0.0 };
+        let t143 = work.t107 == 0;
+        let t147 = if t143 { Status::Converged } else { Status::Coasting };
+        work.t148 = if t139 { t147 } else { Status::Converging };
     }
 }
 const _: f32 = SAMPLE_TIME;

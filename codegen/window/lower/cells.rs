@@ -1,8 +1,8 @@
 //! The state of a window method, and its names.
 
 use crate::plant::Plant;
-use crate::program::{CellId, Value};
 use crate::program::builder::Builder;
+use crate::program::{CellId, Value};
 
 use super::super::Functional;
 use super::count::longest_count;

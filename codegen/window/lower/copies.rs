@@ -1,11 +1,11 @@
 //! Copies of the plant as operations; what is structurally zero is not written.
 
 use crate::design::Settled;
-use crate::program::Value;
+use crate::program::{TableId, Value};
 
 use super::super::realize::copy::Copy;
 use super::super::realize::tables::Entries;
-use super::{Lowering, Sampled};
+use super::{Lowering, Sampled, place};
 
 /// What is known of a vector's entries; `None` is zero.
 pub(super) type Vector = Vec<Option<Value>>;
@@ -26,6 +26,12 @@ impl Lowering<'_> {
             }
         }
         (!terms.is_empty()).then(|| self.builder.sum(&terms))
+    }
+
+    /// An entry of a table that exists if it has columns.
+    pub(super) fn entry(&mut self, table: Option<TableId>, row: Value, column: usize) -> Value {
+        let table = table.unwrap_or_else(|| unreachable!("a table without columns has no entries"));
+        self.builder.lookup(table, row, place(column))
     }
 
     /// Signals of this call as a vector.

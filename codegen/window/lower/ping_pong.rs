@@ -6,7 +6,7 @@ use super::super::realize::copy::Copy;
 use super::super::realize::ping_pong::PingPong;
 use super::super::realize::tables::ByPlace;
 use super::copies::Vector;
-use super::{Lowering, Sampled, index, place};
+use super::{Lowering, Sampled, index};
 
 /// The state of a copy.
 struct Half {
@@ -28,7 +28,8 @@ struct Running {
 impl Lowering<'_> {
     /// The estimate from the copy that is used.
     pub(super) fn ping_pong(&mut self, pair: &PingPong, sampled: &Sampled, count: Value) -> Vec<Value> {
-        let [used, filling] = ["used", "filling"].map(|which| self.half(&pair.copy, pair.read.0.first().map_or(0, Vec::len), which));
+        let [used, filling] =
+            ["used", "filling"].map(|which| self.half(&pair.copy, pair.read.0.first().map_or(0, Vec::len), which));
         self.builder.section("two copies, restarted by turns; both with the first sample of a window");
         let (row, begin, fresh) = self.turn(pair, count);
         let (before_used, before_filling) = (self.half_now(&used), self.half_now(&filling));
@@ -61,9 +62,11 @@ impl Lowering<'_> {
         let first_of_direct = first_of_read + pair.read.present().len();
         let statistic: Vec<Value> = statistic;
         let mut terms: Vec<Vec<Option<Value>>> = now.into_iter().map(|now| vec![now]).collect();
-        for (table, values, first) in [(&pair.read, &statistic, first_of_read), (&pair.direct, &innovations, first_of_direct)] {
+        for (table, values, first) in
+            [(&pair.read, &statistic, first_of_read), (&pair.direct, &innovations, first_of_direct)]
+        {
             for (column, (i, j)) in table.present().into_iter().enumerate() {
-                let weight = self.builder.lookup(tables, row, place(first + column));
+                let weight = self.entry(tables, row, first + column);
                 let product = self.builder.mul(weight, values[j]);
                 terms[i].push(Some(product));
             }
@@ -115,7 +118,7 @@ impl Lowering<'_> {
         copy: &Copy,
         half: &Half,
         running: Running,
-        (table, row, starts): (TableId, Value, Value),
+        (table, row, starts): (Option<TableId>, Value, Value),
         (rows, first): (&ByPlace, usize),
         sampled: &Sampled,
     ) -> (Vector, Vec<Value>, Vec<Value>) {
@@ -126,7 +129,7 @@ impl Lowering<'_> {
         let innovations = self.innovations(copy, &now, sampled);
         let mut statistic = running.statistic;
         for (column, (k, o)) in rows.present().into_iter().enumerate() {
-            let weight = self.builder.lookup(table, row, place(first + column));
+            let weight = self.entry(table, row, first + column);
             let product = self.builder.mul(weight, innovations[o]);
             statistic[k] = self.builder.add(statistic[k], product);
         }
@@ -154,14 +157,18 @@ impl Lowering<'_> {
     }
 
     /// One table for all: rows while filling, while used, read-outs, direct shares.
-    fn by_age(&mut self, pair: &PingPong) -> TableId {
+    fn by_age(&mut self, pair: &PingPong) -> Option<TableId> {
         let tables = [&pair.filling, &pair.using, &pair.read, &pair.direct];
         let outputs = |o: usize| self.plant.outputs[o].label.name.clone();
         let states = |i: usize| self.plant.states[i].label.name.clone();
-        let docs = pair.filling.present().into_iter().map(|(k, o)| format!("filling component {k} from {}", outputs(o)));
-        let docs = docs.chain(pair.using.present().into_iter().map(|(k, o)| format!("used component {k} from {}", outputs(o))));
-        let docs = docs.chain(pair.read.present().into_iter().map(|(i, k)| format!("{} from component {k}", states(i))));
-        let docs = docs.chain(pair.direct.present().into_iter().map(|(i, o)| format!("{} from {}", states(i), outputs(o))));
+        let docs =
+            pair.filling.present().into_iter().map(|(k, o)| format!("filling component {k} from {}", outputs(o)));
+        let docs = docs
+            .chain(pair.using.present().into_iter().map(|(k, o)| format!("used component {k} from {}", outputs(o))));
+        let docs =
+            docs.chain(pair.read.present().into_iter().map(|(i, k)| format!("{} from component {k}", states(i))));
+        let docs =
+            docs.chain(pair.direct.present().into_iter().map(|(i, o)| format!("{} from {}", states(i), outputs(o))));
         let docs: Vec<String> = docs.collect();
         let scalar = self.plant.scalar;
         let row = |age: usize| -> Vec<f64> {
@@ -169,6 +176,7 @@ impl Lowering<'_> {
             entries.map(|(table, i, j)| table.value(i, j, age, scalar)).collect()
         };
         let rows = (0..pair.steps).map(row).collect();
-        self.builder.table("AGES", "both copies, by calls since they took turns", docs, rows)
+        let doc = "both copies, by calls since they took turns";
+        (!docs.is_empty()).then(|| self.builder.table("AGES", doc, docs, rows))
     }
 }

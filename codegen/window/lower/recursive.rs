@@ -45,11 +45,14 @@ impl Lowering<'_> {
         let none = self.builder.float(0.0);
         let before = self.filter_now(&filter);
         let running = self.unless(fresh, before);
-        let old: Vec<Value> = rings.iter().map(|ring| {
-            let old = self.builder.read_ring(*ring, sampled.newest);
-            let old = self.builder.select(full, old, none);
-            self.builder.select(fresh, none, old)
-        }).collect();
+        let old: Vec<Value> = rings
+            .iter()
+            .map(|ring| {
+                let old = self.builder.read_ring(*ring, sampled.newest);
+                let old = self.builder.select(full, old, none);
+                self.builder.select(fresh, none, old)
+            })
+            .collect();
         let (estimate, innovations) = self.filtered(recursive, &filter, &running, Some(&old), fresh, sampled);
         for (ring, v) in rings.iter().zip(&innovations) {
             self.builder.set_ring(*ring, sampled.newest, *v);
@@ -82,16 +85,21 @@ impl Lowering<'_> {
         let taken = self.choose(begin, &before_filling, &before_used);
         let to_use = self.unless(fresh, taken);
         let to_fill = self.unless(begin, before_filling);
-        let old: Vec<Value> = rings[0].iter().zip(&rings[1]).map(|(a, b)| {
-            let (a, b) = (self.builder.read_ring(*a, sampled.newest), self.builder.read_ring(*b, sampled.newest));
-            let old = self.builder.select(first, a, b);
-            // Just filled: everything is still in its window.
-            self.builder.select(begin, none, old)
-        }).collect();
+        let old: Vec<Value> = rings[0]
+            .iter()
+            .zip(&rings[1])
+            .map(|(a, b)| {
+                let (a, b) = (self.builder.read_ring(*a, sampled.newest), self.builder.read_ring(*b, sampled.newest));
+                let old = self.builder.select(first, a, b);
+                // Just filled: everything is still in its window.
+                self.builder.select(begin, none, old)
+            })
+            .collect();
         let (_, of_filling) = self.filtered(recursive, &filling, &to_fill, None, begin, sampled);
         let (estimate, of_used) = self.filtered(recursive, &used, &to_use, Some(&old), fresh, sampled);
         for ((a, b), (used, filling)) in rings[0].iter().zip(&rings[1]).zip(of_used.iter().zip(&of_filling)) {
-            let (to_a, to_b) = (self.builder.select(first, *used, *filling), self.builder.select(first, *filling, *used));
+            let (to_a, to_b) =
+                (self.builder.select(first, *used, *filling), self.builder.select(first, *filling, *used));
             self.builder.set_ring(*a, sampled.newest, to_a);
             self.builder.set_ring(*b, sampled.newest, to_b);
         }
@@ -105,9 +113,8 @@ impl Lowering<'_> {
             live.then(|| self.builder.float_cell(&format!("{which}copy_{name}"), &doc, 0.0))
         });
         let handed = handed.collect();
-        let filter = (0..recursive.filter.0.len()).map(|k| {
-            self.builder.float_cell(&format!("{which}filter"), &format!("component {k} of the filter"), 0.0)
-        });
+        let filter = (0..recursive.filter.0.len())
+            .map(|k| self.builder.float_cell(&format!("{which}filter"), &format!("component {k} of the filter"), 0.0));
         Filter { handed, filter: filter.collect() }
     }
 

@@ -52,7 +52,7 @@ impl Lowering<'_> {
             let value = self.builder.select(answer.usable, answer.estimate[i], start);
             self.builder.estimate(field(&state.label.name, &state.label.unit, &state.label.doc), value);
         }
-        let coasting = self.replaced.unwrap_or_else(|| self.builder.read(self.cells.coasting));
+        let coasting = self.builder.read(self.cells.coasting);
         let none = self.builder.index(0);
         let clean = self.builder.index_equal(coasting, none);
         let renewed = self.builder.and(answer.enough, clean);
@@ -77,7 +77,7 @@ impl Lowering<'_> {
             let value = self.builder.select(full, estimate[i], start);
             self.builder.estimate(field(&state.label.name, &state.label.unit, &state.label.doc), value);
         }
-        let coasting = self.builder.read(self.cells.coasting);
+        let coasting = self.replaced.unwrap_or_else(|| self.builder.read(self.cells.coasting));
         let none = self.builder.index(0);
         let clean = self.builder.index_equal(coasting, none);
         self.status(converged, clean);

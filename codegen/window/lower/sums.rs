@@ -9,8 +9,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::plant::Plant;
-use crate::program::builder::Builder;
 use crate::program::Value;
+use crate::program::builder::Builder;
 
 use super::super::{Functional, Weights};
 use super::cells::Kept;

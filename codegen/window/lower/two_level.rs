@@ -41,17 +41,34 @@ impl Lowering<'_> {
         for (terms, oldest) in terms.iter_mut().zip(self.oldest_block(two.cut, &newest, sampled)) {
             terms.push(oldest);
         }
-        let constants: Vector = self.functional.constant.clone().into_iter().map(|c| {
-            let value = c.value(self.plant.scalar);
-            (value != 0.0).then(|| self.builder.float(value))
-        }).collect();
-        terms.into_iter().zip(constants).map(|(terms, constant)| self.total(terms.into_iter().chain([constant]))).collect()
+        let constants: Vector = self
+            .functional
+            .constant
+            .clone()
+            .into_iter()
+            .map(|c| {
+                let value = c.value(self.plant.scalar);
+                (value != 0.0).then(|| self.builder.float(value))
+            })
+            .collect();
+        terms
+            .into_iter()
+            .zip(constants)
+            .map(|(terms, constant)| self.total(terms.into_iter().chain([constant])))
+            .collect()
     }
 
     fn blocks(&mut self, two: &TwoLevel) -> Blocks {
         let slots = index(two.cut.whole + 1);
         let statistics = (0..two.rows.0.len())
-            .map(|k| self.builder.ring("statistic", &format!("component {k} of the blocks' statistics, by block"), slots, 0.0))
+            .map(|k| {
+                self.builder.ring(
+                    "statistic",
+                    &format!("component {k} of the blocks' statistics, by block"),
+                    slots,
+                    0.0,
+                )
+            })
             .collect();
         let handed = self.plant.states.iter().zip(&two.copy.live).map(|(state, live)| {
             let name = &state.label.name;
@@ -83,12 +100,24 @@ impl Lowering<'_> {
     }
 
     /// Takes the newest sample into its block; what that block says, term by term for each state.
-    fn newest_block(&mut self, two: &TwoLevel, blocks: &Blocks, newest: &Newest, sampled: &Sampled) -> Vec<Vec<Option<Value>>> {
+    fn newest_block(
+        &mut self,
+        two: &TwoLevel,
+        blocks: &Blocks,
+        newest: &Newest,
+        sampled: &Sampled,
+    ) -> Vec<Vec<Option<Value>>> {
         let zero = self.builder.float(0.0);
-        let handed: Vector = blocks.handed.iter().map(|ring| ring.map(|ring| {
-            let before = self.builder.read_ring(ring, newest.block);
-            self.builder.select(newest.first, zero, before)
-        })).collect();
+        let handed: Vector = blocks
+            .handed
+            .iter()
+            .map(|ring| {
+                ring.map(|ring| {
+                    let before = self.builder.read_ring(ring, newest.block);
+                    self.builder.select(newest.first, zero, before)
+                })
+            })
+            .collect();
         let now = self.copy_now(&two.copy, &handed, sampled);
         let innovations = self.innovations(&two.copy, &now, sampled);
         let (table, rows, reads) = self.newest_table(two);
@@ -98,7 +127,7 @@ impl Lowering<'_> {
             let before = self.builder.select(newest.first, zero, before);
             let mut sum = before;
             for (column, (_, o)) in rows.iter().enumerate().filter(|(_, (row, _))| *row == k) {
-                let weight = self.builder.lookup(table, newest.place, place(column));
+                let weight = self.entry(table, newest.place, column);
                 let product = self.builder.mul(weight, innovations[*o]);
                 sum = self.builder.add(sum, product);
             }
@@ -112,28 +141,32 @@ impl Lowering<'_> {
             }
         }
         let innovations: Vector = innovations.into_iter().map(Some).collect();
-        (0..now.len()).map(|i| {
-            let mut terms = vec![now[i], self.row_times(&two.direct.0[i], &innovations, None)];
-            for (column, (_, k)) in reads.iter().enumerate().filter(|(_, (row, _))| *row == i) {
-                let weight = self.builder.lookup(table, newest.place, place(rows.len() + column));
-                terms.push(statistics[*k].map(|statistic| self.builder.mul(weight, statistic)));
-            }
-            terms
-        }).collect()
+        (0..now.len())
+            .map(|i| {
+                let mut terms = vec![now[i], self.row_times(&two.direct.0[i], &innovations, None)];
+                for (column, (_, k)) in reads.iter().enumerate().filter(|(_, (row, _))| *row == i) {
+                    let weight = self.entry(table, newest.place, rows.len() + column);
+                    terms.push(statistics[*k].map(|statistic| self.builder.mul(weight, statistic)));
+                }
+                terms
+            })
+            .collect()
     }
 
     /// Rows of the statistics, then read-outs, by place in the block.
-    fn newest_table(&mut self, two: &TwoLevel) -> (TableId, Vec<(usize, usize)>, Vec<(usize, usize)>) {
+    fn newest_table(&mut self, two: &TwoLevel) -> (Option<TableId>, Vec<(usize, usize)>, Vec<(usize, usize)>) {
         let (rows, reads) = (two.rows.present(), two.read.present());
         let docs = rows.iter().map(|(k, o)| format!("component {k} from {}", self.plant.outputs[*o].label.name));
-        let docs = docs.chain(reads.iter().map(|(i, k)| format!("{} from component {k}", self.plant.states[*i].label.name)));
+        let docs =
+            docs.chain(reads.iter().map(|(i, k)| format!("{} from component {k}", self.plant.states[*i].label.name)));
         let scalar = self.plant.scalar;
         let row = |at: usize| -> Vec<f64> {
             let entries = rows.iter().map(|(k, o)| two.rows.value(*k, *o, at, scalar));
             entries.chain(reads.iter().map(|(i, k)| two.read.value(*i, *k, at, scalar))).collect()
         };
         let values = (0..two.cut.block).map(row).collect();
-        let table = self.builder.table("BLOCK", "the newest block, by place of its newest sample", docs.collect(), values);
+        let doc = "the newest block, by place of its newest sample";
+        let table = (rows.len() + reads.len() > 0).then(|| self.builder.table("BLOCK", doc, docs.collect(), values));
         (table, rows, reads)
     }
 
@@ -142,14 +175,23 @@ impl Lowering<'_> {
         let Cut { block, whole, .. } = two.cut;
         let (slots, rows) = (index(whole + 1), index(whole * block));
         let (reads, passes) = (two.read.present(), two.handed.present());
+        if reads.is_empty() && passes.is_empty() {
+            return vec![None; two.copy.live.len()];
+        }
         let table = self.whole_table(two, &reads, &passes);
         let counted = (1..=whole).map(|q| vec![f64::from(index(q))]).collect();
-        let counted = self.builder.table("BLOCKS", "a row for each whole block", vec!["its number, newest first".into()], counted);
+        let counted = self.builder.table(
+            "BLOCKS",
+            "a row for each whole block",
+            vec!["its number, newest first".into()],
+            counted,
+        );
         self.builder.section("whole blocks, newest first");
         let row = self.builder.read(blocks.row);
         let row = self.builder.at_most(row, rows - 1);
         let slot = self.builder.retreat(newest.block, slots);
-        let states: Vec<usize> = (0..two.copy.live.len()).filter(|i| reads.iter().chain(&passes).any(|(state, _)| state == i)).collect();
+        let states: Vec<usize> =
+            (0..two.copy.live.len()).filter(|i| reads.iter().chain(&passes).any(|(state, _)| state == i)).collect();
         let mut starts = vec![self.builder.float(0.0); states.len()];
         starts.extend([slot, row]);
         let after = self.builder.loop_over(counted, &starts, |b, carried| {
@@ -184,7 +226,9 @@ impl Lowering<'_> {
         let entry = |table: &ByPlace, entries: &[(usize, usize)], at: usize| -> Vec<f64> {
             entries.iter().map(|(i, j)| table.value(*i, *j, at, self.plant.scalar)).collect()
         };
-        let row = |at: usize, q: usize| [entry(&two.read, reads, at + q * block), entry(&two.handed, passes, at + (q - 1) * block)].concat();
+        let row = |at: usize, q: usize| {
+            [entry(&two.read, reads, at + q * block), entry(&two.handed, passes, at + (q - 1) * block)].concat()
+        };
         let values = (0..block).flat_map(|at| (1..=whole).map(move |q| (at, q))).map(|(at, q)| row(at, q)).collect();
         let doc = "whole blocks, by place of the newest sample and then by block, newest first";
         self.builder.table("WHOLE", doc, docs.collect(), values)
@@ -202,9 +246,15 @@ impl Lowering<'_> {
             .flat_map(|s| (0..n).map(move |i| (i, s)))
             .filter(|(i, s)| weights[*s].columns[*i].is_some())
             .collect();
-        let docs = pairs.iter().map(|(i, s)| format!("{} from {}", self.plant.states[*i].label.name, names[*s])).collect();
+        if pairs.is_empty() {
+            return vec![None; n];
+        }
+        let docs =
+            pairs.iter().map(|(i, s)| format!("{} from {}", self.plant.states[*i].label.name, names[*s])).collect();
         let ages = (functional.steps + 1 - cut.tail..=functional.steps).rev();
-        let rows = ages.map(|age| pairs.iter().map(|(i, s)| weights[*s].at(*i, age).value(self.plant.scalar)).collect()).collect();
+        let rows = ages
+            .map(|age| pairs.iter().map(|(i, s)| weights[*s].at(*i, age).value(self.plant.scalar)).collect())
+            .collect();
         let table = self.builder.table("OLDEST", "weights by age, from the window's oldest sample", docs, rows);
         self.builder.section("the oldest block, oldest sample first; a sample that a whole block holds counts nothing");
         let len = self.window();

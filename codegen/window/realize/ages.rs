@@ -42,8 +42,7 @@ impl AtAge {
         let (step, inject) = (pair.copy.step.to_f64(), pair.copy.inject.to_f64());
         let (begin, end) = (pair.copy.begin.to_f64(), pair.copy.end.to_f64());
         let read = pair.read.at(row);
-        let mut innovations: Vec<Dense> =
-            (0..=age).map(|t| times(&read, &pair.row(age - t))).collect();
+        let mut innovations: Vec<Dense> = (0..=age).map(|t| times(&read, &pair.row(age - t))).collect();
         innovations[0] = plus(&innovations[0], 1.0, &pair.direct.at(row));
         let identity: Dense = (0..n).map(|i| (0..n).map(|j| f64::from(u8::from(i == j))).collect()).collect();
         let mut left = plus(&identity, -1.0, &times(&innovations[0], &c));

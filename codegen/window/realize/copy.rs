@@ -127,10 +127,8 @@ impl Copy {
     pub fn terms(&self, used: &[f64], handed: &[f64]) -> Vec<f64> {
         let size = |m: &Entries, i: usize| m.0[i].iter().flatten().map(|x| x.double.abs()).sum::<f64>();
         let row = |i: usize| {
-            let moved: f64 =
-                self.step.0[i].iter().zip(used).map(|(a, x)| a.map_or(0.0, |a| a.double.abs()) * x).sum();
-            let known =
-                size(&self.inject, i) + size(&self.begin, i) + size(&self.end, i) + size(&self.constant, i);
+            let moved: f64 = self.step.0[i].iter().zip(used).map(|(a, x)| a.map_or(0.0, |a| a.double.abs()) * x).sum();
+            let known = size(&self.inject, i) + size(&self.begin, i) + size(&self.end, i) + size(&self.constant, i);
             if self.live[i] { handed[i] + moved + known } else { 0.0 }
         };
         (0..self.step.0.len()).map(row).collect()

@@ -111,17 +111,19 @@ impl PingPong {
         let (n, f, p) = (plant.states.len(), self.read.0.first().map_or(0, Vec::len), plant.outputs.len());
         let sizes = self.copy.sizes(2 * self.steps);
         let seen = self.copy.seen.magnitudes();
-        let innovations: Vec<Vec<f64>> = sizes
-            .iter()
-            .map(|(used, _)| (0..p).map(|o| 1.0 + dot(&seen[o], used)).collect())
-            .collect();
+        let innovations: Vec<Vec<f64>> =
+            sizes.iter().map(|(used, _)| (0..p).map(|o| 1.0 + dot(&seen[o], used)).collect()).collect();
         let terms: Vec<Vec<f64>> = sizes.iter().map(|(used, handed)| self.copy.terms(used, handed)).collect();
         // The statistics by call since the start, in magnitude.
         let mut statistics = vec![vec![0.0; f]];
         for (place, innovation) in innovations.iter().enumerate() {
             let row = self.row(place);
             let before = &statistics[place];
-            statistics.push((0..f).map(|k| before[k] + row[k].iter().zip(innovation).map(|(r, v)| r.abs() * v).sum::<f64>()).collect());
+            statistics.push(
+                (0..f)
+                    .map(|k| before[k] + row[k].iter().zip(innovation).map(|(r, v)| r.abs() * v).sum::<f64>())
+                    .collect(),
+            );
         }
         let unit = super::unit(plant.scalar);
         let copied = self.copy.roundings();
@@ -131,16 +133,30 @@ impl PingPong {
             let read = self.read.at(age - self.steps);
             for i in 0..n {
                 let summed: f64 = (0..f).map(|k| read[i][k].abs() * statistics[age + 1][k]).sum();
-                let now = sizes[*age].0[i] + self.direct.at(age - self.steps)[i].iter().zip(&innovations[*age]).map(|(d, v)| d.abs() * v).sum::<f64>();
-                let disturbed: f64 = at.accumulated.iter().enumerate().map(|(t, acc)| {
-                    acc[i].iter().zip(&terms[age - t]).map(|(a, x)| a.abs() * x).sum::<f64>()
-                }).sum();
-                let shown: f64 = at.innovations.iter().enumerate().map(|(t, v)| {
-                    v[i].iter().zip(&innovations[age - t]).map(|(a, x)| a.abs() * x).sum::<f64>()
-                }).sum();
+                let now = sizes[*age].0[i]
+                    + self.direct.at(age - self.steps)[i]
+                        .iter()
+                        .zip(&innovations[*age])
+                        .map(|(d, v)| d.abs() * v)
+                        .sum::<f64>();
+                let disturbed: f64 = at
+                    .accumulated
+                    .iter()
+                    .enumerate()
+                    .map(|(t, acc)| acc[i].iter().zip(&terms[age - t]).map(|(a, x)| a.abs() * x).sum::<f64>())
+                    .sum();
+                let shown: f64 = at
+                    .innovations
+                    .iter()
+                    .enumerate()
+                    .map(|(t, v)| v[i].iter().zip(&innovations[age - t]).map(|(a, x)| a.abs() * x).sum::<f64>())
+                    .sum();
                 // Each product of a statistic is rounded with its weight, and once in each later addition.
                 let chain = count((age + 1) * p + f + p + 6);
-                let round_off = chain * summed + count(f + p + 4) * now + copied * (disturbed + terms[*age][i]) + count(n + 2) * shown;
+                let round_off = chain * summed
+                    + count(f + p + 4) * now
+                    + copied * (disturbed + terms[*age][i])
+                    + count(n + 2) * shown;
                 load.round_off[i] = load.round_off[i].max(unit * round_off);
                 load.gain = load.gain.max(summed + now);
             }
@@ -150,8 +166,11 @@ impl PingPong {
         let present = |table: &ByPlace| table.present().len();
         let live = self.copy.live.iter().filter(|live| **live).count();
         load.words = 2 * (live + f) + functional.signals.len() + 2 * p + 5;
-        load.constants = self.steps * [&self.filling, &self.using, &self.read, &self.direct].into_iter().map(present).sum::<usize>();
-        load.flops = 2 * (self.copy.flops() + p) + 2 * [&self.filling, &self.using, &self.read, &self.direct].into_iter().map(present).sum::<usize>() + n;
+        load.constants =
+            self.steps * [&self.filling, &self.using, &self.read, &self.direct].into_iter().map(present).sum::<usize>();
+        load.flops = 2 * (self.copy.flops() + p)
+            + 2 * [&self.filling, &self.using, &self.read, &self.direct].into_iter().map(present).sum::<usize>()
+            + n;
         load
     }
 

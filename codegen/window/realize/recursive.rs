@@ -174,7 +174,8 @@ impl Recursive {
         load.words = copies * (live + f + p * (self.steps + 1)) + functional.signals.len() + 2 * p + 3 + copies;
         let numbers = |m: &Entries| m.numbers().count();
         let filter = numbers(&self.filter) + numbers(&self.input) + numbers(&self.delayed);
-        load.flops = copies * (self.copy.flops() + p + 2 * filter) + 2 * (numbers(&self.direct) + numbers(&self.output));
+        load.flops =
+            copies * (self.copy.flops() + p + 2 * filter) + 2 * (numbers(&self.direct) + numbers(&self.output));
         load
     }
 

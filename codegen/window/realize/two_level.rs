@@ -87,7 +87,13 @@ struct Constants {
     handed: Vec<Matrix>,
 }
 
-fn constants(model: &Model, form: &dyn Form, steps: usize, cut: Cut, stay: &[(usize, i64)]) -> Result<Constants, Singular> {
+fn constants(
+    model: &Model,
+    form: &dyn Form,
+    steps: usize,
+    cut: Cut,
+    stay: &[(usize, i64)],
+) -> Result<Constants, Singular> {
     let dynamics = form.dynamics(model)?;
     let raw = rows(&dynamics, cut.block);
     let basis = Basis::new(&raw, stay).ok_or(Singular { column: 0 })?;
@@ -100,7 +106,8 @@ fn constants(model: &Model, form: &dyn Form, steps: usize, cut: Cut, stay: &[(us
     reads.reverse();
     // acc_1 = I - V_0 C, acc_(i+1) = acc_i (Phi - L C) - V_i C with V_i = P F^i G.
     let weight = |age: usize| &reads[age] * &dynamics.input;
-    let mut at = &Matrix::identity(model.phi.rows(), model.phi.precision()) - &(&(&last.direct + &weight(0)) * &model.c);
+    let mut at =
+        &Matrix::identity(model.phi.rows(), model.phi.precision()) - &(&(&last.direct + &weight(0)) * &model.c);
     let mut handed = Vec::new();
     for age in 1..=cut.block * cut.whole {
         let next = &(&at * &dynamics.copy) - &(&weight(age) * &model.c);
@@ -127,9 +134,8 @@ impl TwoLevel {
         let model = Model::new(plant, &functional.signals, Precision::bits(VERDICT_BITS)).map_err(Refusal::Broken)?;
         let dynamics = form.dynamics(&model)?;
         let live = if s > 0 || !dynamics.inject.is_zero() { n } else { 0 };
-        let cut = best(functional.steps, (n, dynamics.input.rows(), live), p + s).ok_or_else(|| {
-            Refusal::because(format!("{} samples are too few for two blocks", functional.steps + 1))
-        })?;
+        let cut = best(functional.steps, (n, dynamics.input.rows(), live), p + s)
+            .ok_or_else(|| Refusal::because(format!("{} samples are too few for two blocks", functional.steps + 1)))?;
         let stay = kept(&rows(&dynamics, cut.block));
         let f = stay.len();
         let run = |precision: Precision| -> Result<Vec<Vec<crate::real::Real>>, Vec<Diagnostic>> {
@@ -182,7 +188,9 @@ impl TwoLevel {
             let ages = (1..=whole).map(|q| place + q * block);
             (read(place) + ages.clone().map(read).sum::<f64>(), ages.map(pass).sum())
         };
-        let largest = |i: usize| (0..block).map(|place| blocks(i, place)).fold((0.0_f64, 0.0_f64), |a, b| (a.0.max(b.0), a.1.max(b.1)));
+        let largest = |i: usize| {
+            (0..block).map(|place| blocks(i, place)).fold((0.0_f64, 0.0_f64), |a, b| (a.0.max(b.0), a.1.max(b.1)))
+        };
         let oldest = |i: usize| -> f64 {
             let ages = functional.steps + 1 - tail..=functional.steps;
             let weights = functional.outputs.iter().chain(&functional.knowns);
@@ -203,15 +211,20 @@ impl TwoLevel {
             let constant = functional.constant[i].double.abs();
             let sum = read + passed + tail + now + constant;
             // A rounding of the copy is a disturbance of the state; one of an innovation counts by its weight.
-            let disturbed: f64 = exact.accumulated.iter().map(|acc| {
-                (0..n).map(|j| acc.get(i, j).abs().to_f64() * of_copy[j]).sum::<f64>()
-            }).sum::<f64>() + of_copy[i];
-            let shown: f64 = (0..p).map(|o| {
-                let weight = functional.outputs[o].l1(i) + direct[i][o];
-                weight * innovations[o]
-            }).sum();
-            let round_off = within * read + chain * (passed + tail + now + constant)
-                + copied * disturbed + count(n + 2) * shown;
+            let disturbed: f64 = exact
+                .accumulated
+                .iter()
+                .map(|acc| (0..n).map(|j| acc.get(i, j).abs().to_f64() * of_copy[j]).sum::<f64>())
+                .sum::<f64>()
+                + of_copy[i];
+            let shown: f64 = (0..p)
+                .map(|o| {
+                    let weight = functional.outputs[o].l1(i) + direct[i][o];
+                    weight * innovations[o]
+                })
+                .sum();
+            let round_off =
+                within * read + chain * (passed + tail + now + constant) + copied * disturbed + count(n + 2) * shown;
             load.round_off.push(unit * round_off);
             load.gain = load.gain.max(sum);
         }
