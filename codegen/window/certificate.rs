@@ -50,16 +50,16 @@ pub fn certify_ages(plant: &Plant, functional: &Functional, ages: impl Iterator<
         if let Some(kernel) = &kernel {
             age.accumulated.iter().for_each(|acc| kernel.add(acc, &mut disturbed));
         }
-        for i in 0..n {
+        for (i, disturbed) in disturbed.iter().enumerate() {
             let noise: Vec<f64> = age.outputs[i].iter().map(|(sum, _)| *sum).collect();
             for (o, (sum, squares)) in age.outputs[i].iter().enumerate() {
                 worst.noise_gain_l1[i][o] = worst.noise_gain_l1[i][o].max(*sum);
                 worst.noise_gain_l2[i][o] = worst.noise_gain_l2[i][o].max(deadbeat_math::sqrt_f64(*squares));
             }
-            for (worst, gain) in worst.disturbance_gain_l1[i].iter_mut().zip(&disturbed[i]) {
+            for (worst, gain) in worst.disturbance_gain_l1[i].iter_mut().zip(disturbed) {
                 *worst = worst.max(*gain);
             }
-            let bound = error_bound(plant, functional, &noise, &disturbed[i], &age.knowns[i]);
+            let bound = error_bound(plant, functional, &noise, disturbed, &age.knowns[i]);
             worst.error_bound[i] = worst.error_bound[i].zip(bound).map(|(a, b)| a.max(b));
         }
     }

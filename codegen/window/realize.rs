@@ -202,7 +202,7 @@ impl From<Singular> for Refusal {
     }
 }
 
-fn singular(plant: &Plant, error: &Singular) -> Diagnostic {
+fn singular(plant: &Plant, error: Singular) -> Diagnostic {
     Diagnostic::error(codes::PRECISION, plant.span.clone(), "the innovation form cannot be computed")
         .label(error.to_string())
         .help("`realization = \"fir\"`")

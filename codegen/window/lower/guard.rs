@@ -114,7 +114,9 @@ fn largest_gain(plant: &Plant, functional: &Functional) -> f64 {
     let mut states: Vec<f64> = (0..plant.states.len()).map(state).collect();
     // Whatever else the way adds up on its way to a state, cells included.
     let of_way = functional.way.load().map_or(0.0, |load| load.gain);
-    states.iter_mut().for_each(|gain| *gain = gain.max(of_way));
+    for gain in &mut states {
+        *gain = gain.max(of_way);
+    }
     if let Some(irregular) = &functional.irregular {
         let largest = irregular.largest_gain();
         states.iter_mut().for_each(|gain| *gain = gain.max(largest));

@@ -8,6 +8,9 @@ use super::super::realize::two_level::{Cut, TwoLevel};
 use super::copies::Vector;
 use super::{Lowering, Sampled, index, place};
 
+/// Row and column of entries that are not zero.
+type Pairs = Vec<(usize, usize)>;
+
 /// The state of the blocks.
 struct Blocks {
     /// Per component: statistics by block.
@@ -154,7 +157,7 @@ impl Lowering<'_> {
     }
 
     /// Rows of the statistics, then read-outs, by place in the block.
-    fn newest_table(&mut self, two: &TwoLevel) -> (Option<TableId>, Vec<(usize, usize)>, Vec<(usize, usize)>) {
+    fn newest_table(&mut self, two: &TwoLevel) -> (Option<TableId>, Pairs, Pairs) {
         let (rows, reads) = (two.rows.present(), two.read.present());
         let docs = rows.iter().map(|(k, o)| format!("component {k} from {}", self.plant.outputs[*o].label.name));
         let docs =

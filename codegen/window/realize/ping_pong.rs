@@ -70,7 +70,7 @@ impl PingPong {
         let f = stay.len();
         let run = |precision: Precision| -> Result<Vec<Vec<Real>>, Vec<Diagnostic>> {
             let model = Model::new(plant, &functional.signals, precision)?;
-            let broken = |error: Singular| vec![super::singular(plant, &error)];
+            let broken = |error: Singular| vec![super::singular(plant, error)];
             let dynamics = form.dynamics(&model).map_err(broken)?;
             let raw = rows(&dynamics, 2 * steps);
             let basis = Basis::new(&raw, &stay).ok_or_else(|| broken(Singular { column: 0 }))?;

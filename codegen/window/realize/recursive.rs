@@ -1,6 +1,6 @@
 //! A filter with one delayed innovation: `f_k = F f_(k-1) + G v_k - F^(N+1) G v_(k-N-1)`.
 //!
-//! `x_k = xc_k + D v_k + P f_k` (000 (13) with psi_1 and psi_2 as modes of F). What is added to f is subtracted N+1
+//! `x_k = xc_k + D v_k + P f_k` (000 (13) with `psi_1` and `psi_2` as modes of F). What is added to f is subtracted N+1
 //! calls later, after the filter's own arithmetic: whatever rounding leaves of it stays in f and must die out by
 //! itself. So every mode of F has to decay, and so has every mode of the copy, or two copies take turns: each
 //! starts at zero, with its filter and its innovations, and is used once its window is full.
@@ -92,7 +92,7 @@ impl Recursive {
         let f = dynamics.input.rows();
         let run = |precision: Precision| -> Result<Vec<Vec<Real>>, Vec<Diagnostic>> {
             let model = Model::new(plant, &functional.signals, precision)?;
-            let broken = |error: Singular| vec![super::singular(plant, &error)];
+            let broken = |error: Singular| vec![super::singular(plant, error)];
             let dynamics = form.dynamics(&model).map_err(broken)?;
             let constants = constants(&model, form, steps).map_err(broken)?;
             let mut groups = Groups::default();

@@ -140,7 +140,7 @@ impl TwoLevel {
         let f = stay.len();
         let run = |precision: Precision| -> Result<Vec<Vec<crate::real::Real>>, Vec<Diagnostic>> {
             let model = Model::new(plant, &functional.signals, precision)?;
-            let broken = |error: Singular| vec![super::singular(plant, &error)];
+            let broken = |error: Singular| vec![super::singular(plant, error)];
             let dynamics = form.dynamics(&model).map_err(broken)?;
             let constants = constants(&model, form, functional.steps, cut, &stay).map_err(broken)?;
             let mut groups = Groups::default();
