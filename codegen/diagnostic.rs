@@ -259,6 +259,7 @@ pub mod codes {
         PRECISION "DB0307" "constants that do not settle in multiprecision"
         CHECK_FAILED "DB0308" "a design that fails its own check"
         UNPROVED "DB0309" "convergence that is not proved"
+        REALIZATION "DB0311" "a realisation that may not run for this plant"
         OUT_OF_RANGE "DB0401" "a constant outside the target's float range"
         TIME_RESOLUTION "DB0402" "time that loses resolution in the target's float"
         WINDOW_TOO_LONG "DB0403" "a window too long to design"

@@ -8,12 +8,14 @@
 pub mod certificate;
 pub mod continuous;
 pub mod coordinates;
+pub mod decide;
 pub mod innovation;
 pub mod intermittent;
 pub mod irregular;
 pub mod lower;
 pub mod minimax;
 pub mod model;
+pub mod realize;
 pub mod samples;
 pub mod settle;
 pub mod solve;
@@ -22,6 +24,7 @@ pub mod tune;
 use std::ops::Range;
 
 use crate::design::Settled;
+pub use realize::Way;
 pub use samples::{count, refuse_much_work, seconds, trimmed, whole_samples};
 
 /// A functional whose weights have settled.
@@ -45,6 +48,8 @@ pub struct Functional {
     pub gaps: Option<Gaps>,
     /// Where the estimate is of the samples that are there, and not of all.
     pub irregular: Option<irregular::Irregular>,
+    /// How a step computes it.
+    pub way: Way,
 }
 
 /// Measurements at irregular times: a prediction stands in between them.

@@ -72,6 +72,10 @@ fn coasting_lasts_while_the_window_holds_a_prediction() {
     for name in names_of("window") {
         let truth = truth(&name).unwrap();
         let generated = designed(&corpus(&name));
+        // Copies that take turns hold a sample for longer, by when it came: tests/realizations.rs.
+        if generated.design.realization == "ping-pong" {
+            continue;
+        }
         let steps = generated.design.valid_from_step;
         let run = truth.run(generated.plant.sample_time_s(), 1, 3 * steps + 20, 4);
         for output in 0..truth.delays.len() {

@@ -96,11 +96,13 @@ fn decision(design: &Design) -> String {
             Ok(why) => (if place == 0 { "chosen  " } else { "possible" }, why),
             Err(why) => ("refused ", why),
         };
-        let _ = writeln!(
-            text,
-            "  {:<10} {mark} {:>7} words {:>7} flops {:>7} constants  {because}",
-            realization.name, realization.words, realization.flops, realization.constants
-        );
+        let Realization { name, words, flops, constants, .. } = realization;
+        let numbers = match words {
+            // It was refused before there was anything to count.
+            0 => format!("{:>13} {:>13} {:>17}", "-", "-", "-"),
+            _ => format!("{words:>7} words {flops:>7} flops {constants:>7} constants"),
+        };
+        let _ = writeln!(text, "  {name:<10} {mark} {numbers}  {because}");
     }
     text
 }

@@ -32,16 +32,17 @@ use crate::design::{Certificate, Convergence, Design, NamedMatrix, Shape};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::expr::{Constant, Symbol};
 use crate::plant::Plant;
-use crate::real::{Matrix, Precision, Real, inverse};
+use crate::real::{Matrix, Precision, Real, Singular, inverse};
 use crate::spec::Quantity;
 use crate::spec::reader::Table;
-use crate::window::certificate::{certify, slope};
+use crate::window::certificate::slope;
 use crate::window::continuous::Form;
 use crate::window::coordinates::Coordinates;
 use crate::window::innovation::Innovation;
 use crate::window::intermittent::{Condition, Lifted, noise_gains};
 use crate::window::irregular;
 use crate::window::model::{Between, Model, signals_between};
+use crate::window::realize::{self, ByInnovation, REALIZATION_CHOICES, REALIZATIONS, Realized, Request, WORDS, Wanted};
 use crate::window::settle::{Bias, settle, settle_runs};
 use crate::window::solve::{Choice, Exact};
 use crate::window::tune::{self, best_k};
@@ -59,9 +60,9 @@ pub const METHOD: Method = Method {
         ("hold", "\"first\" | \"third\"", "how nonlinear terms run between samples: order 2 (default) or 4"),
         ("intermittent", "{ min = s, max = s }", "measurements come at irregular times, so far apart"),
         ("unproved", "\"refuse\" | \"accept\"", "what to do when the paper's condition for that does not hold"),
-        ("realization", "\"auto\" | \"fir\"", "how the step computes it"),
+        ("realization", REALIZATION_CHOICES, "how the step computes it"),
     ],
-    realizations: &[("fir", "one weighted sum over the stored samples; no state that can drift")],
+    realizations: &REALIZATIONS,
     page: include_str!("single-delay.md"),
     read,
 };
@@ -77,6 +78,8 @@ struct Keys {
     hold: (Between, Range<usize>),
     intermittent: Option<Intermittent>,
     accept: bool,
+    wanted: Wanted,
+    wanted_span: Range<usize>,
 }
 
 /// The shortest and the longest time between two measurements.
@@ -98,8 +101,9 @@ fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
     let hold = read_hold(table);
     let intermittent = read_intermittent(table);
     let accept = table.choice("unproved", &[("refuse", false), ("accept", true)], false);
-    table.choice("realization", &[("auto", ()), ("fir", ())], ());
-    Some(Arc::new(Keys { window: window?, k, form, hold, intermittent, accept }))
+    let wanted_span = table.key_span("realization");
+    let wanted = table.choice("realization", &WORDS, Wanted::Auto);
+    Some(Arc::new(Keys { window: window?, k, form, hold, intermittent, accept, wanted, wanted_span }))
 }
 
 fn read_intermittent(table: &mut Table) -> Option<Intermittent> {
@@ -153,18 +157,24 @@ impl Keyed for Keys {
         let mut warnings: Vec<Diagnostic> = time_warning(plant).into_iter().chain(resolution_warnings(plant)).collect();
         let mut notes = plan.notes(self, numerics.unbiasedness);
         let convergence = self.irregular(plant, &plan, &mut functional, &exact, &mut notes, &mut warnings)?;
-        let mut certificate = certify(plant, &functional, &exact);
+        let innovation = ByInnovation(|model: &Model, steps: usize| plan.innovation_at(plant, model, steps));
+        let form: Result<&dyn realize::Form, _> =
+            if self.form.0 { Err("integrals from samples follow no recursion") } else { Ok(&innovation) };
+        let (wanted, span) = (self.wanted, self.wanted_span.clone());
+        let realized = realize::realize(plant, Request { functional, exact: &exact, form, wanted, span })?;
+        notes.extend(realized.notes);
+        let Realized { functional, mut certificate, name, realizations, .. } = realized;
         if let Some(gaps) = functional.gaps {
             certificate = with_gaps(plant, certificate, &functional, &exact, gaps);
         }
         Ok(Design {
             method: METHOD.name,
-            realization: "fir",
+            realization: name,
             summary: self.summary(plant, &plan),
             window_steps: steps,
             valid_from_step: functional.gaps.map_or(steps, |gaps| gaps.settled - 1),
             convergence,
-            realizations: Vec::new(),
+            realizations,
             notes,
             constants: plan.constants(self, plant)?,
             fir: Some(fir(plant, &functional)),
@@ -550,6 +560,14 @@ impl Plan {
         let a = self.factor(plant, p).ok_or_else(refuse)?;
         let (form, constants) = Innovation::single_delay(model, &coordinates, &a, self.steps).map_err(|_| refuse())?;
         Ok((form, constants, coordinates))
+    }
+
+    /// The innovation form of a window of so many samples.
+    fn innovation_at(&self, plant: &Plant, model: &Model, steps: usize) -> Result<Innovation, Singular> {
+        let none = Singular { column: 0 };
+        let coordinates = Coordinates::new(&model.c, self.rest.clone())?;
+        let a = self.factor(plant, model.phi.precision()).ok_or(none)?;
+        Ok(Innovation::single_delay(model, &coordinates, &a, steps)?.0)
     }
 
     /// The discrete-exact twin.

@@ -32,12 +32,14 @@ use crate::program::Scalar;
 use crate::real::{Matrix, Precision, Real, equilibrated_columns, rank, singular_values};
 use crate::spec::Quantity;
 use crate::spec::reader::Table;
-use crate::window::certificate::certify;
 use crate::window::minimax::best_rows;
 use crate::window::model::{Between, Model, signals_between};
+use crate::window::realize::{
+    Form, LeastSquares, REALIZATION_CHOICES, REALIZATIONS, Realized, Request, WORDS, Wanted, realize,
+};
 use crate::window::settle::settle;
 use crate::window::solve::{Choice, observability, output_powers, trusted};
-use crate::window::{Functional, Part, Signal, count, refuse_much_work, seconds, trimmed, whole_samples};
+use crate::window::{Functional, Part, Signal, Way, count, refuse_much_work, seconds, trimmed, whole_samples};
 
 /// The registry's entry.
 pub const METHOD: Method = Method {
@@ -52,9 +54,9 @@ pub const METHOD: Method = Method {
             "\"equal\" | \"minimax\"",
             "least squares, or the smallest worst-case noise gain (quantised signals)",
         ),
-        ("realization", "\"auto\" | \"fir\"", "how the step computes it"),
+        ("realization", REALIZATION_CHOICES, "how the step computes it"),
     ],
-    realizations: &[("fir", "one weighted sum over the stored samples; no state that can drift")],
+    realizations: &REALIZATIONS,
     page: include_str!("window.md"),
     read,
 };
@@ -65,6 +67,8 @@ struct Keys {
     window: Quantity,
     weighting: Weighting,
     hold: (Between, Range<usize>),
+    wanted: Wanted,
+    wanted_span: Range<usize>,
 }
 
 /// Which of the unbiased weights are wanted.
@@ -85,8 +89,9 @@ fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
     let words = [("equal", Weighting::Equal), ("minimax", Weighting::Minimax)];
     let weighting = table.choice("weights", &words, Weighting::Equal);
     let hold = read_hold(table);
-    table.choice("realization", &[("auto", ()), ("fir", ())], ());
-    Some(Arc::new(Keys { window: window?, weighting, hold }))
+    let wanted_span = table.key_span("realization");
+    let wanted = table.choice("realization", &WORDS, Wanted::Auto);
+    Some(Arc::new(Keys { window: window?, weighting, hold, wanted, wanted_span }))
 }
 
 /// Bits at which observability is judged; a tolerance of half of them is far from any rounding.
@@ -112,16 +117,19 @@ impl Keyed for Keys {
         let choice = self.choice(plant, &delays, steps)?;
         let (functional, exact, mut numerics) = settle(plant, &signals, &delays, steps, &choice)?;
         numerics.condition = condition;
-        let certificate = certify(plant, &functional, &exact);
+        let form = self.form(&delays);
+        let (wanted, span) = (self.wanted, self.wanted_span.clone());
+        let Realized { functional, certificate, name, realizations, notes } =
+            realize(plant, Request { functional, exact: &exact, form, wanted, span })?;
         Ok(Design {
             method: METHOD.name,
-            realization: "fir",
-            summary: self.summary(plant, steps),
+            realization: name,
+            summary: self.summary(plant, steps, &functional.way),
             window_steps: steps,
             valid_from_step: steps,
             convergence: Convergence::Finite,
-            realizations: Vec::new(),
-            notes: Vec::new(),
+            realizations,
+            notes,
             constants: constants(&exact.model),
             fir: Some(fir(plant, &functional)),
             certificate,
@@ -133,6 +141,15 @@ impl Keyed for Keys {
 }
 
 impl Keys {
+    /// The innovation form, or why there is none.
+    fn form(&self, delays: &[usize]) -> Result<&'static dyn Form, &'static str> {
+        match self.weighting {
+            Weighting::Minimax => Err("minimax weights follow no recursion"),
+            Weighting::Equal if delays.iter().any(|delay| *delay > 0) => Err("an output arrives late"),
+            Weighting::Equal => Ok(&LeastSquares),
+        }
+    }
+
     /// For minimax weights, the rows that carry them.
     fn choice(&self, plant: &Plant, delays: &[usize], steps: usize) -> Result<Choice, Vec<Diagnostic>> {
         if self.weighting == Weighting::Equal {
@@ -144,13 +161,18 @@ impl Keys {
         Ok(Choice::Rows(best_rows(&trusted(&rows, &trust), &model.phi.powi(steps as u64))))
     }
 
-    fn summary(&self, plant: &Plant, steps: usize) -> String {
+    fn summary(&self, plant: &Plant, steps: usize, way: &Way) -> String {
         let h = plant.sample_time_s();
         let what = match self.weighting {
             Weighting::Equal => "least squares",
             Weighting::Minimax => "smallest worst-case noise gain",
         };
-        format!("{what} over the last {} samples ({} s at {h} s), stateless", steps + 1, trimmed(seconds(steps, h)))
+        let (samples, seconds) = (steps + 1, trimmed(seconds(steps, h)));
+        match way {
+            Way::Fir => format!("{what} over the last {samples} samples ({seconds} s at {h} s), stateless"),
+            Way::PingPong(_) => format!("{what} over at least the last {samples} samples ({seconds} s at {h} s)"),
+            _ => format!("{what} over the last {samples} samples ({seconds} s at {h} s)"),
+        }
     }
 }
 

@@ -71,7 +71,7 @@ impl<'a> Step<'a> {
 
     fn write(&mut self) {
         let sampled = self.lowering.sample();
-        let count = self.lowering.count(&sampled);
+        let (_, count) = self.lowering.count(&sampled);
         self.lowering.store(&sampled);
         let start = self.start(&sampled);
         let window = Window::new(&mut self.lowering, self.regression);

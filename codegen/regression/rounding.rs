@@ -5,7 +5,7 @@ use crate::parameters::augment::own_states;
 use crate::real::{Matrix, Precision, Real};
 use crate::window::model::Effect;
 use crate::window::settle::Pass;
-use crate::window::{Functional, Prediction, Weights};
+use crate::window::{Functional, Prediction, Way, Weights};
 
 use super::exact::{Exact, Problem};
 use super::{Drive, Entry, Regression};
@@ -46,6 +46,7 @@ impl Problem<'_> {
                 prediction,
                 gaps: None,
                 irregular: None,
+                way: Way::Fir,
             },
             states,
             own,

@@ -12,6 +12,7 @@ use crate::expr::bounds::{Interval, derivative, enclose};
 use crate::plant::{Disturbance, Plant};
 use crate::real::{Matrix, Precision, Real, exponential, zero_order_hold};
 
+use super::realize::ages::AtAge;
 use super::solve::Exact;
 use super::{Functional, Source};
 
@@ -27,9 +28,42 @@ pub fn certify(plant: &Plant, functional: &Functional, exact: &Exact) -> Certifi
     let noise_gain_l1 = gain(&|i, o| functional.outputs[o].l1(i));
     let noise_gain_l2 = gain(&|i, o| deadbeat_math::sqrt_f64(functional.outputs[o].sum_of_squares(i)));
     let disturbance_gain_l1 = disturbance_gains(plant, &exact.accumulated);
-    let error_bound = (0..n).map(|i| error_bound(plant, functional, &noise_gain_l1[i], &disturbance_gain_l1[i], i));
+    let knowns = |i: usize| -> Vec<f64> { functional.knowns.iter().map(|w| w.l1(i)).collect() };
+    let error_bound =
+        (0..n).map(|i| error_bound(plant, functional, &noise_gain_l1[i], &disturbance_gain_l1[i], &knowns(i)));
     let error_bound = error_bound.collect();
     Certificate { noise_gain_l1, noise_gain_l2, disturbance_gain_l1, error_bound }
+}
+
+/// Sums up a functional whose window grows from N+1 to 2N samples: the worst of all its ages.
+pub fn certify_ages(plant: &Plant, functional: &Functional, ages: impl Iterator<Item = AtAge>) -> Certificate {
+    let (n, p, d) = (plant.states.len(), plant.outputs.len(), plant.disturbances.len());
+    let kernel = Kernel::new(plant).filter(|_| d > 0);
+    let mut worst = Certificate {
+        noise_gain_l1: vec![vec![0.0; p]; n],
+        noise_gain_l2: vec![vec![0.0; p]; n],
+        disturbance_gain_l1: vec![vec![0.0; d]; n],
+        error_bound: vec![Some(0.0); n],
+    };
+    for age in ages {
+        let mut disturbed = vec![vec![if kernel.is_some() { 0.0 } else { f64::INFINITY }; d]; n];
+        if let Some(kernel) = &kernel {
+            age.accumulated.iter().for_each(|acc| kernel.add(acc, &mut disturbed));
+        }
+        for (i, disturbed) in disturbed.iter().enumerate() {
+            let noise: Vec<f64> = age.outputs[i].iter().map(|(sum, _)| *sum).collect();
+            for (o, (sum, squares)) in age.outputs[i].iter().enumerate() {
+                worst.noise_gain_l1[i][o] = worst.noise_gain_l1[i][o].max(*sum);
+                worst.noise_gain_l2[i][o] = worst.noise_gain_l2[i][o].max(deadbeat_math::sqrt_f64(*squares));
+            }
+            for (worst, gain) in worst.disturbance_gain_l1[i].iter_mut().zip(disturbed) {
+                *worst = worst.max(*gain);
+            }
+            let bound = error_bound(plant, functional, &noise, disturbed, &age.knowns[i]);
+            worst.error_bound[i] = worst.error_bound[i].zip(bound).map(|(a, b)| a.max(b));
+        }
+    }
+    worst
 }
 
 /// The largest error of a state for the declared noise and disturbances; `None` where something is unbounded.
@@ -38,7 +72,7 @@ fn error_bound(
     functional: &Functional,
     noise: &[f64],
     disturbance: &[f64],
-    state: usize,
+    knowns: &[f64],
 ) -> Option<f64> {
     let mut bound = 0.0;
     for (o, output) in plant.outputs.iter().enumerate() {
@@ -47,7 +81,7 @@ fn error_bound(
         for (s, signal) in functional.signals.iter().enumerate() {
             if let Source::Injection(k) = signal.source {
                 let slope = slope(plant, k, o)?;
-                bound += functional.knowns[s].l1(state) * slope * level;
+                bound += knowns[s] * slope * level;
             }
         }
     }

@@ -48,7 +48,7 @@ pub struct SingleDelay {
 }
 
 /// Outputs by what their samples count by.
-fn trust(model: &Model) -> Matrix {
+pub(super) fn trust(model: &Model) -> Matrix {
     let p = model.trust.len();
     let zero = Real::zero(model.phi.precision());
     Matrix::from_fn(p, p, |i, j| if i == j { &model.trust[i] * &model.trust[i] } else { zero.clone() })

@@ -8,15 +8,19 @@
 //! bound, chosen such that no sum over the window and no prediction can overflow.
 
 pub(crate) mod cells;
+mod copies;
 mod count;
 pub(crate) mod guard;
 pub(crate) mod injections;
 mod irregular;
 pub(crate) mod normal;
+mod ping_pong;
 pub(crate) mod predict;
+mod recursive;
 pub(crate) mod report;
 pub(crate) mod sample;
 mod sums;
+mod two_level;
 
 use crate::design::Settled;
 use crate::diagnostic::Diagnostic;
@@ -24,7 +28,7 @@ use crate::plant::Plant;
 use crate::program::builder::Builder;
 use crate::program::{Field, Program, Value};
 
-use super::Functional;
+use super::{Functional, Way};
 use cells::Cells;
 use count::settled;
 use guard::{Growth, Guard};
@@ -71,6 +75,8 @@ pub(crate) struct Lowering<'a> {
     pub(crate) cells: Cells,
     /// Unknown constants that the step finds by a regression of its own.
     pub(crate) unknowns: Option<Unknowns>,
+    /// Whether the window holds a replaced sample, where copies keep that themselves: 1 or 0.
+    replaced: Option<Value>,
 }
 
 impl<'a> Lowering<'a> {
@@ -85,7 +91,7 @@ impl<'a> Lowering<'a> {
         for input in &plant.inputs {
             builder.input(field(&input.label.name, &input.label.unit, &input.label.doc));
         }
-        Self { plant, functional, guard, builder, cells, unknowns: None }
+        Self { plant, functional, guard, builder, cells, unknowns: None, replaced: None }
     }
 
     /// A constant of the design.
@@ -95,7 +101,7 @@ impl<'a> Lowering<'a> {
 
     fn step(&mut self) {
         let sampled = if self.functional.irregular.is_some() { self.sample_what_is_there() } else { self.sample() };
-        let count = self.count(&sampled);
+        let (before, count) = self.count(&sampled);
         self.store(&sampled);
         if let Some(irregular) = &self.functional.irregular {
             let full = self.counted(count, self.window());
@@ -105,13 +111,31 @@ impl<'a> Lowering<'a> {
             self.report(&answer.estimate, &sampled, &Standing { known, determined: known, renewed });
             return;
         }
-        let rings = (self.cells.outputs.as_slice(), self.cells.signals.as_slice());
-        let estimate = sums::estimate(&mut self.builder, self.plant, self.functional, rings, sampled.newest);
+        let estimate = self.estimate(&sampled, before, count);
         self.look_ahead(&estimate, &sampled);
         self.builder.section("the estimate; until the window is full, the start");
         let known = self.counted(count, self.window());
         let determined = self.counted(count, settled(self.functional));
         self.report(&estimate, &sampled, &Standing { known, determined, renewed: None });
+    }
+
+    /// The estimate of each state, by the functional's way.
+    fn estimate(&mut self, sampled: &Sampled, before: Value, count: Value) -> Vec<Value> {
+        match &self.functional.way {
+            Way::Fir => {
+                let kept = (self.cells.outputs.as_slice(), self.cells.signals.as_slice());
+                sums::estimate(&mut self.builder, self.plant, self.functional, kept, sampled.newest)
+            }
+            Way::TwoLevel(two) => self.two_level(two, sampled),
+            Way::PingPong(pair) => self.ping_pong(pair, sampled, count),
+            Way::Recursive(recursive) => self.recursive(recursive, sampled, before, count),
+        }
+    }
+
+    /// Whether this call's samples are the first of a window.
+    fn fresh(&mut self, count: Value) -> Value {
+        let two = self.builder.index(2);
+        self.builder.index_less(count, two)
     }
 
     /// N+1.
@@ -128,15 +152,15 @@ impl<'a> Lowering<'a> {
     pub(crate) fn store(&mut self, sampled: &Sampled) {
         self.builder.section("into the window");
         self.builder.set(self.cells.newest, sampled.newest);
-        for (ring, value) in self.cells.outputs.iter().zip(&sampled.outputs) {
-            self.builder.set_ring(*ring, sampled.newest, *value);
+        for (kept, value) in self.cells.outputs.iter().zip(&sampled.outputs) {
+            kept.write(&mut self.builder, sampled.newest, *value);
         }
         let present = self.cells.memory.as_ref().map(|memory| memory.present.as_slice()).unwrap_or_default();
         for (ring, value) in present.iter().zip(&sampled.present) {
             self.builder.set_ring(*ring, sampled.newest, *value);
         }
-        for (ring, value) in self.cells.signals.iter().zip(&sampled.signals) {
-            self.builder.set_ring(*ring, sampled.newest, *value);
+        for (kept, value) in self.cells.signals.iter().zip(&sampled.signals) {
+            kept.write(&mut self.builder, sampled.newest, *value);
         }
         let calls = self.builder.read(self.cells.calls);
         let calls = self.builder.count_up(calls, u32::MAX);
@@ -161,6 +185,11 @@ fn bounded(calls: usize) -> u32 {
 
 pub(crate) fn field(name: &str, unit: &str, doc: &str) -> Field {
     Field { name: name.to_owned(), unit: unit.to_owned(), doc: doc.to_owned() }
+}
+
+/// A count of samples, rows or blocks as a Program has it.
+fn index(count: usize) -> u32 {
+    u32::try_from(count).unwrap_or_else(|_| unreachable!("the window's length is bounded"))
 }
 
 pub(crate) fn place(index: usize) -> u16 {

@@ -11,7 +11,7 @@ use crate::real::{Agreement, Precision, Real, compare};
 
 use super::model::Model;
 use super::solve::{Choice, Exact, ExactPrediction};
-use super::{Functional, Prediction, Signal, Weights};
+use super::{Functional, Prediction, Signal, Way, Weights};
 
 /// Bits of the first run; the second has twice as many.
 pub(crate) const FIRST_BITS: usize = 256;
@@ -70,7 +70,18 @@ pub(crate) fn rising<T, F>(
     round: impl Fn(&mut Pass, &T, &T) -> F,
     unbiasedness: impl Fn(&T) -> f64,
 ) -> Result<(F, T, Numerics), Vec<Diagnostic>> {
-    let mut precision = Precision::bits(FIRST_BITS);
+    rising_from(plant, FIRST_BITS, run, round, unbiasedness)
+}
+
+/// The same from a precision on.
+fn rising_from<T, F>(
+    plant: &Plant,
+    bits: usize,
+    run: impl Fn(Precision) -> Result<T, Vec<Diagnostic>>,
+    round: impl Fn(&mut Pass, &T, &T) -> F,
+    unbiasedness: impl Fn(&T) -> f64,
+) -> Result<(F, T, Numerics), Vec<Diagnostic>> {
+    let mut precision = Precision::bits(bits.max(FIRST_BITS));
     let mut coarse = run(precision)?;
     let mut agreement;
     loop {
@@ -90,6 +101,36 @@ pub(crate) fn rising<T, F>(
         }
         coarse = fine;
     }
+}
+
+/// Rounds further constants of a design, given in groups of one unit; structural zeros give nothing. `settled` is
+/// the precision of the finer run at which the design's own constants had settled.
+///
+/// # Errors
+/// What `run` reports, or that the constants do not settle.
+pub fn settle_groups(
+    plant: &Plant,
+    settled: Precision,
+    run: &dyn Fn(Precision) -> Result<Vec<Vec<Real>>, Vec<Diagnostic>>,
+) -> Result<Vec<Option<Vec<Settled>>>, Vec<Diagnostic>> {
+    let round = |pass: &mut Pass, coarse: &Vec<Vec<Real>>, fine: &Vec<Vec<Real>>| -> Vec<_> {
+        coarse.iter().zip(fine).map(|(c, f)| pass.group(c, f)).collect()
+    };
+    Ok(rising_from(plant, settled.as_bits() / 2, run, round, |_| 0.0)?.0)
+}
+
+/// The same without the proof: for numbers that are only compared.
+///
+/// # Errors
+/// What `run` reports.
+pub fn round_groups(
+    settled: Precision,
+    run: &dyn Fn(Precision) -> Result<Vec<Vec<Real>>, Vec<Diagnostic>>,
+) -> Result<Vec<Option<Vec<Settled>>>, Vec<Diagnostic>> {
+    let round = |group: Vec<Real>| {
+        (!group.iter().all(Real::is_zero)).then(|| group.iter().map(Settled::round).collect::<Vec<_>>())
+    };
+    Ok(run(settled)?.into_iter().map(round).collect())
 }
 
 pub(crate) fn refusal(plant: &Plant, agreement: f64, unbiasedness: f64) -> Diagnostic {
@@ -181,7 +222,17 @@ impl Pass {
             (0..signals.len()).map(|s| self.weights(fine.first[s], &coarse.knowns[s], &fine.knowns[s])).collect();
         let constant = self.each(&coarse.constant, &fine.constant).into_iter().map(Option::unwrap_or_default).collect();
         let prediction = coarse.prediction.iter().zip(&fine.prediction).map(|(c, f)| self.prediction(c, f)).collect();
-        let (delays, signals) = (delays.to_vec(), signals.to_vec());
-        Functional { steps, delays, signals, outputs, knowns, constant, prediction, gaps: None, irregular: None }
+        Functional {
+            steps,
+            delays: delays.to_vec(),
+            signals: signals.to_vec(),
+            outputs,
+            knowns,
+            constant,
+            prediction,
+            gaps: None,
+            irregular: None,
+            way: Way::Fir,
+        }
     }
 }

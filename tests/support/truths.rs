@@ -15,10 +15,12 @@ pub fn truth(name: &str) -> Option<Truth> {
         "drive_irregular" => drive_irregular(),
         "inverted_cart" => inverted_cart(0.3),
         "late_position" => late_position(0.4),
+        "long_window" => long_window(),
         "magnetic_levitation" => magnetic_levitation(),
         "mass_chain" => mass_chain(),
         "pendulum" | "pendulum_single_delay" | "pendulum_impulsive" => pendulum(),
         "pendulum_discrete" => pendulum_discrete(),
+        "small_memory" => small_memory(),
         "thermal_stack" => thermal_stack(),
         "two_mass_drive" => two_mass_drive(),
         "unknown_discrete" => unknown_discrete(),
@@ -118,6 +120,32 @@ pub fn late_position(friction: f64) -> Truth {
         start: vec![(-5.0, 5.0), (-0.3, 0.3), (-0.5, 0.5), (-0.3, 0.3)],
         input: vec![(-3.0, 3.0)],
         exact: friction == 0.0,
+    }
+}
+
+fn long_window() -> Truth {
+    Truth {
+        discrete: false,
+        change: Box::new(|_, x, u| vec![x[1], -9.81 / 6.0 * x[0].sin() - 0.05 * x[1] - u[0] / 6.0]),
+        outputs: Box::new(|x| vec![x[0]]),
+        delays: vec![0.0],
+        holds: vec![Hold::Zero],
+        start: vec![(-0.3, 0.3), (-0.2, 0.2)],
+        input: vec![(-0.5, 0.5)],
+        exact: false,
+    }
+}
+
+fn small_memory() -> Truth {
+    Truth {
+        discrete: false,
+        change: Box::new(|_, x, u| vec![x[1], u[0] / 2e-3 - 1.5 * x[1] - x[2], 0.0]),
+        outputs: Box::new(|x| vec![x[0]]),
+        delays: vec![0.0],
+        holds: vec![Hold::Zero],
+        start: vec![(-3.0, 3.0), (-20.0, 20.0), (-50.0, 50.0)],
+        input: vec![(-0.5, 0.5)],
+        exact: true,
     }
 }
 

@@ -80,8 +80,8 @@ impl<'a> Window<'a> {
         let table = lowering.builder.table("SHOWN", doc, columns.chain(arrived).collect(), rows);
         Self {
             regression,
-            outputs: lowering.cells.outputs.clone(),
-            signals: lowering.cells.signals.clone(),
+            outputs: lowering.cells.outputs.iter().map(|kept| kept.ring()).collect(),
+            signals: lowering.cells.signals.iter().map(|kept| kept.ring()).collect(),
             len: lowering.window(),
             scalar: plant.scalar,
             table,

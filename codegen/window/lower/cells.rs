@@ -1,20 +1,55 @@
 //! The state of a window method, and its names.
 
 use crate::plant::Plant;
-use crate::program::CellId;
 use crate::program::builder::Builder;
+use crate::program::{CellId, Value};
 
 use super::super::Functional;
 use super::count::longest_count;
 use super::irregular::Memory;
 use super::{injections, late_len, window_len};
 
+/// What is kept of a sampled signal.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Kept {
+    /// The window, by slot.
+    Window(CellId),
+    /// The newest value alone.
+    Newest(CellId),
+}
+
+impl Kept {
+    /// The window's ring; only a step that keeps nothing but the newest value has none.
+    pub(crate) fn ring(self) -> CellId {
+        match self {
+            Self::Window(ring) => ring,
+            Self::Newest(_) => unreachable!("asked for by steps that keep the window"),
+        }
+    }
+
+    /// The value that stands at a slot; the newest one where no others are kept.
+    pub(super) fn read(self, b: &mut Builder, slot: Value) -> Value {
+        match self {
+            Self::Window(ring) => b.read_ring(ring, slot),
+            Self::Newest(cell) => b.read(cell),
+        }
+    }
+
+    /// Keeps a value that becomes the newest.
+    pub(super) fn write(self, b: &mut Builder, slot: Value, value: Value) {
+        match self {
+            Self::Window(ring) => b.set_ring(ring, slot, value),
+            Self::Newest(cell) => b.set(cell, value),
+        }
+    }
+}
+
 /// The cells of a window method.
 pub(crate) struct Cells {
-    /// Per output: samples by slot.
-    pub(crate) outputs: Vec<CellId>,
-    /// Per signal: values by slot.
-    pub(crate) signals: Vec<CellId>,
+    /// Per output: samples.
+    pub(crate) outputs: Vec<Kept>,
+    /// Per signal: values.
+    pub(crate) signals: Vec<Kept>,
     /// Per input: the last good value, where no ring holds it.
     pub(super) inputs: Vec<CellId>,
     /// Slot of age 0.
@@ -41,15 +76,25 @@ pub(crate) struct Cells {
 pub(super) fn declare(builder: &mut Builder, plant: &Plant, functional: &Functional) -> Cells {
     let window = window_len(functional);
     let scalar = plant.scalar;
+    let stores = functional.way.stores_window();
     let outputs = plant.outputs.iter().enumerate().map(|(o, output)| {
-        let doc = format!("samples of {} by slot{}", output.label.name, bracketed(&output.label.unit));
-        builder.ring(&output.label.name, &doc, window, injections::initial_output(plant, o, scalar))
+        let (name, unit) = (&output.label.name, bracketed(&output.label.unit));
+        let initial = injections::initial_output(plant, o, scalar);
+        if stores {
+            Kept::Window(builder.ring(name, &format!("samples of {name} by slot{unit}"), window, initial))
+        } else {
+            Kept::Newest(builder.float_cell(name, &format!("the newest sample of {name}{unit}"), initial))
+        }
     });
     let outputs = outputs.collect();
-    let signals = functional
-        .signals
-        .iter()
-        .map(|signal| builder.ring(&identifier(&signal.text), &format!("{} by slot", signal.text), window, 0.0));
+    let signals = functional.signals.iter().map(|signal| {
+        let (name, text) = (identifier(&signal.text), &signal.text);
+        if stores {
+            Kept::Window(builder.ring(&name, &format!("{text} by slot"), window, 0.0))
+        } else {
+            Kept::Newest(builder.float_cell(&name, &format!("the newest {text}"), 0.0))
+        }
+    });
     let signals = signals.collect();
     let inputs = plant
         .inputs

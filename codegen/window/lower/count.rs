@@ -6,8 +6,8 @@ use super::super::Functional;
 use super::{Lowering, Sampled, late_len, window_len};
 
 impl Lowering<'_> {
-    /// Good samples in a row, or how the window starts again.
-    pub(crate) fn count(&mut self, sampled: &Sampled) -> Value {
+    /// Good samples in a row before and now, or how the window starts again.
+    pub(crate) fn count(&mut self, sampled: &Sampled) -> (Value, Value) {
         self.builder.section("how much of the window is good");
         let before = self.builder.read(self.cells.count);
         let converged = self.had_converged(before, 1);
@@ -19,7 +19,7 @@ impl Lowering<'_> {
         let count = self.builder.select(converged, kept, growing);
         self.builder.set(self.cells.count, count);
         self.coast(sampled);
-        count
+        (before, count)
     }
 
     /// Whether the count has come to so many calls.

@@ -80,7 +80,8 @@ fn refuse_lost_weights(plant: &Plant, functional: &Functional) -> Result<(), Vec
         Scalar::F64 => f64::MIN_POSITIVE,
     };
     let mut all: Vec<Settled> = functional.constant.clone();
-    for column in columns {
+    let of_way = functional.way.columns();
+    for column in columns.chain(&of_way) {
         all.extend(column);
         let largest = column.iter().map(|w| w.double.abs()).fold(0.0, f64::max);
         if largest < smallest && largest > 0.0 {
@@ -126,6 +127,11 @@ fn largest_gain(plant: &Plant, functional: &Functional) -> f64 {
         weights.map(|w| w.l1(i)).sum::<f64>() + functional.constant[i].double.abs()
     };
     let mut states: Vec<f64> = (0..plant.states.len()).map(state).collect();
+    // Whatever else the way adds up on its way to a state, cells included.
+    let of_way = functional.way.load().map_or(0.0, |load| load.gain);
+    for gain in &mut states {
+        *gain = gain.max(of_way);
+    }
     if let Some(irregular) = &functional.irregular {
         let largest = irregular.largest_gain();
         states.iter_mut().for_each(|gain| *gain = gain.max(largest));

@@ -7,6 +7,8 @@ use crate::program::builder::Builder;
 use crate::program::{self, CellId, Scalar, Value};
 use crate::real::Precision;
 
+use super::cells::Kept;
+
 /// Bits at which a constant is evaluated before its one rounding.
 const BITS: usize = 512;
 
@@ -134,9 +136,9 @@ impl<'a> Injections<'a> {
         Self { plant, calls, inputs }
     }
 
-    /// Evaluates an injection; `outputs` are the samples of this call, `rings` hold those before.
-    pub fn evaluate(&self, b: &mut Builder, k: usize, moment: &Moment, outputs: &[Value], rings: &[CellId]) -> Value {
-        let place = Place { of: self, moment, outputs, rings };
+    /// Evaluates an injection; `outputs` are the samples of this call, `kept` holds those before.
+    pub fn evaluate(&self, b: &mut Builder, k: usize, moment: &Moment, outputs: &[Value], kept: &[Kept]) -> Value {
+        let place = Place { of: self, moment, outputs, kept };
         place.node(b, &self.plant.injections[k].node)
     }
 }
@@ -146,7 +148,7 @@ struct Place<'a> {
     of: &'a Injections<'a>,
     moment: &'a Moment,
     outputs: &'a [Value],
-    rings: &'a [CellId],
+    kept: &'a [Kept],
 }
 
 impl Place<'_> {
@@ -197,7 +199,7 @@ impl Place<'_> {
         for (o, weight) in weights {
             let sample = match self.moment {
                 Moment::Now | Moment::Ago(_) => self.outputs[*o],
-                Moment::Before(slot) => b.read_ring(self.rings[*o], *slot),
+                Moment::Before(slot) => self.kept[*o].read(b, *slot),
             };
             let weight = self.constant(b, weight);
             terms.push(b.mul(weight, sample));

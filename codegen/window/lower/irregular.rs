@@ -9,6 +9,7 @@ use crate::program::builder::Builder;
 use crate::program::{CellId, Scalar, Value};
 
 use super::super::irregular::{Irregular, Sparse};
+use super::cells::Kept;
 use super::normal::{solve, triangle};
 use super::{Lowering, Sampled, place};
 
@@ -61,8 +62,8 @@ struct Pass<'a> {
     irregular: &'a Irregular,
     scalar: Scalar,
     len: u32,
-    outputs: &'a [CellId],
-    signals: &'a [CellId],
+    outputs: &'a [Kept],
+    signals: &'a [Kept],
     present: &'a [CellId],
 }
 
@@ -70,8 +71,8 @@ impl Pass<'_> {
     /// From one sample to the next: the known response.
     fn next_interval(&self, b: &mut Builder, carried: Carried) -> Carried {
         let slot = b.advance(carried.slot, self.len);
-        let begin: Vec<Value> = self.signals.iter().map(|ring| b.read_ring(*ring, carried.slot)).collect();
-        let end: Vec<Value> = self.signals.iter().map(|ring| b.read_ring(*ring, slot)).collect();
+        let begin: Vec<Value> = self.signals.iter().map(|kept| kept.read(b, carried.slot)).collect();
+        let end: Vec<Value> = self.signals.iter().map(|kept| kept.read(b, slot)).collect();
         let response = (0..carried.response.len())
             .map(|i| {
                 let kept = self.row(b, &self.irregular.phi, i, &carried.response);
@@ -89,7 +90,7 @@ impl Pass<'_> {
     fn samples(&self, b: &mut Builder, mut carried: Carried, weights: &[Vec<Value>]) -> Carried {
         for (o, row) in weights.iter().enumerate() {
             let present = b.read_ring(self.present[o], carried.slot);
-            let sample = b.read_ring(self.outputs[o], carried.slot);
+            let sample = self.outputs[o].read(b, carried.slot);
             let foreseen = self.row(b, &self.irregular.c, o, &carried.response);
             let shown = b.sub(sample, foreseen);
             let trust = b.float(self.irregular.trust[o].value(self.scalar));

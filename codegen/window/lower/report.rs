@@ -61,7 +61,7 @@ impl Lowering<'_> {
             let value = self.builder.select(standing.known, estimate[i], start);
             self.builder.estimate(field(&state.label.name, &state.label.unit, &state.label.doc), value);
         }
-        let coasting = self.builder.read(self.cells.coasting);
+        let coasting = self.replaced.unwrap_or_else(|| self.builder.read(self.cells.coasting));
         let none = self.builder.index(0);
         let mut clean = self.builder.index_equal(coasting, none);
         if let Some(renewed) = standing.renewed {

@@ -38,7 +38,7 @@ impl<'a> Lowering<'a> {
         self.known_before_the_samples(&mut signals, before);
         let predicted: Vec<Value> = (0..outputs).map(|o| self.predict(o, &signals.values)).collect();
         let last: Vec<Value> =
-            self.cells.outputs.clone().iter().map(|ring| self.builder.read_ring(*ring, before)).collect();
+            self.cells.outputs.clone().iter().map(|kept| kept.read(&mut self.builder, before)).collect();
         let candidates: Vec<Value> = (0..outputs)
             .map(|o| {
                 // The injections are guarded for samples within the range; so must be what stands in for one.
@@ -100,12 +100,12 @@ impl<'a> Lowering<'a> {
         let mut signals = self.read_signals(before);
         let newest = self.builder.advance(before, window);
         let (zero, one) = (self.builder.float(0.0), self.builder.float(1.0));
-        let rings = self.cells.outputs.clone();
+        let all_kept = self.cells.outputs.clone();
         let outputs: Vec<Value> = read
             .iter()
-            .zip(rings)
-            .map(|((value, good), ring)| {
-                let last = self.builder.read_ring(ring, before);
+            .zip(all_kept)
+            .map(|((value, good), kept)| {
+                let last = kept.read(&mut self.builder, before);
                 self.builder.select(*good, *value, last)
             })
             .collect();
@@ -166,7 +166,7 @@ impl<'a> Lowering<'a> {
         let value = self.builder.read_input(place(u));
         let good = self.builder.in_range(value, -self.guard.bound, self.guard.bound);
         if let Some(s) = self.functional.signals.iter().position(|s| s.source == Source::Input(u)) {
-            let last = self.builder.read_ring(self.cells.signals[s], before);
+            let last = self.cells.signals[s].read(&mut self.builder, before);
             return (self.builder.select(good, value, last), good);
         }
         let last = self.builder.read(self.cells.inputs[u]);
@@ -225,7 +225,7 @@ impl<'a> Lowering<'a> {
             return (value, None);
         }
         let good = self.builder.in_range(value, -self.guard.bound, self.guard.bound);
-        let last = self.builder.read_ring(self.cells.signals[s], before);
+        let last = self.cells.signals[s].read(&mut self.builder, before);
         (self.builder.select(good, value, last), Some(good))
     }
 }

@@ -9,10 +9,11 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::plant::Plant;
+use crate::program::Value;
 use crate::program::builder::Builder;
-use crate::program::{CellId, Value};
 
 use super::super::{Functional, Weights};
+use super::cells::Kept;
 use super::window_len;
 
 /// Ages from which on a loop is shorter than its contents.
@@ -23,7 +24,7 @@ const MOST_SUMS: usize = 16;
 /// One signal of the window.
 struct Track<'a> {
     name: String,
-    ring: CellId,
+    kept: Kept,
     weights: &'a Weights,
 }
 
@@ -35,15 +36,15 @@ pub fn estimate(
     b: &mut Builder,
     plant: &Plant,
     functional: &Functional,
-    (outputs, signals): (&[CellId], &[CellId]),
+    (outputs, signals): (&[Kept], &[Kept]),
     newest: Value,
 ) -> Vec<Value> {
     b.section("the sums over the window, newest sample first");
     let measured = plant.outputs.iter().zip(&functional.outputs).zip(outputs);
     let known = functional.signals.iter().zip(&functional.knowns).zip(signals);
     let tracks: Vec<Track> = measured
-        .map(|((output, weights), ring)| Track { name: output.label.name.clone(), ring: *ring, weights })
-        .chain(known.map(|((signal, weights), ring)| Track { name: signal.text.clone(), ring: *ring, weights }))
+        .map(|((output, weights), kept)| Track { name: output.label.name.clone(), kept: *kept, weights })
+        .chain(known.map(|((signal, weights), kept)| Track { name: signal.text.clone(), kept: *kept, weights }))
         .collect();
     let len = window_len(functional);
     let apart = pairs(&tracks) <= MOST_SUMS;
@@ -118,7 +119,7 @@ impl Window<'_> {
     fn written_out(&mut self, b: &mut Builder, begin: usize, end: usize) {
         for age in begin..end {
             for (track, states) in self.active(age) {
-                let sample = b.read_ring(self.tracks[track].ring, self.slot);
+                let sample = self.tracks[track].kept.read(b, self.slot);
                 for state in states {
                     let weight = b.float(self.weight(track, state, age));
                     let product = b.mul(weight, sample);
@@ -161,7 +162,7 @@ impl Window<'_> {
             let mut sums: Sums = keys.iter().copied().zip(carried.iter().copied()).collect();
             let mut column = 0;
             for (track, states) in &active {
-                let sample = b.read_ring(self.tracks[*track].ring, slot);
+                let sample = self.tracks[*track].kept.read(b, slot);
                 for state in states {
                     let weight = b.gain(column);
                     let product = b.mul(weight, sample);
