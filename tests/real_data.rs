@@ -7,6 +7,7 @@ mod plant;
 
 use std::process::Command;
 
+use deadbeat_codegen::program::cost::cost;
 use deadbeat_codegen::program::interp::Interpreter;
 use deadbeat_codegen::program::{Scalar, Status};
 use plant::{corpus, designed_in};
@@ -56,6 +57,42 @@ fn the_interpreter_gives_the_velocity() {
         assert_eq!(compared, 54_951);
         near(&format!("{scalar} RMS"), f64::sqrt(squares / f64::from(compared)), 0.0369);
         near(&format!("{scalar} maximum"), largest, 0.3237);
+    }
+}
+
+/// The README's table: error, deadline, memory and operations of three methods, to the digits that it gives.
+#[test]
+fn the_table_is_measured() {
+    let readme = std::fs::read_to_string(format!("{}/README.md", env!("CARGO_MANIFEST_DIR"))).unwrap();
+    let rows = recording();
+    for name in ["pendulum", "pendulum_single_delay", "pendulum_impulsive"] {
+        let generated = designed_in(&corpus(name), Scalar::F32);
+        let mut interpreter = Interpreter::new(&generated.program);
+        let (mut squares, mut largest, mut compared) = (0.0, 0.0_f64, 0_u32);
+        for (theta, omega) in &rows {
+            let mut estimate = [0.0; 2];
+            if interpreter.step(&[*theta], &[], &mut estimate) == Status::Converged {
+                let error = estimate[1] - omega;
+                squares += error * error;
+                largest = largest.max(error.abs());
+                compared += 1;
+            }
+        }
+        assert_eq!(compared, 54_951, "{name}");
+        let cost = cost(&generated.program, deadbeat_math::COSTS);
+        let counted = cost.to_string();
+        let number = |what: &str| -> u32 {
+            let before = counted.split(what).next().unwrap().trim_end();
+            before.rsplit([' ', '(']).next().unwrap().parse().unwrap()
+        };
+        let operations = number("multiplications") + number("additions");
+        let deadline = 0.001 * f64::from(u32::try_from(generated.design.valid_from_step).unwrap());
+        let row = format!(
+            "| `{name}.toml` | {:.4} rad/s | {largest:.4} rad/s | {deadline} s | {} bytes | {operations} and a sine |",
+            f64::sqrt(squares / f64::from(compared)),
+            cost.ram_bytes
+        );
+        assert!(readme.contains(&row), "not in the README: {row}");
     }
 }
 

@@ -10,7 +10,7 @@ use super::plant::{Hold, Truth, corpus};
 /// Every specification of the corpus whose truth is known.
 pub fn truth(name: &str) -> Option<Truth> {
     Some(match name {
-        "dc_motor" | "motor_single_delay" | "motor_intermittent" => dc_motor(),
+        "dc_motor" | "motor_single_delay" | "motor_intermittent" | "motor_recursive" => dc_motor(),
         "motor_continuous" => smooth_motor(),
         "drive_irregular" => drive_irregular(),
         "inverted_cart" => inverted_cart(0.3),
