@@ -405,3 +405,25 @@ pub struct Program {
     /// What a call reports; of type [`Type::Status`].
     pub status: Value,
 }
+
+impl Program {
+    /// Whether any operation reads the table; one that only counts a loop's rows is left out of the code.
+    #[must_use]
+    pub fn is_read(&self, table: TableId) -> bool {
+        let reads = |statement: &Statement, row: Option<TableId>| match statement {
+            Statement::Let { op: Op::Lookup { table: read, .. }, .. } => *read == table,
+            Statement::Let { op: Op::Gain { .. }, .. } => row == Some(table),
+            _ => false,
+        };
+        self.body.iter().any(|statement| match statement {
+            Statement::Loop(inner) => inner.body.iter().any(|it| reads(it, Some(inner.table))),
+            _ => reads(statement, None),
+        })
+    }
+
+    /// The tables that stand in the code.
+    pub fn read_tables(&self) -> impl Iterator<Item = (TableId, &Table)> {
+        let all = self.tables.iter().zip(0..).map(|(table, at)| (TableId(at), table));
+        all.filter(|(at, _)| self.is_read(*at))
+    }
+}

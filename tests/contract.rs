@@ -523,7 +523,7 @@ fn line_05_literals_read_back() {
         let program = &subject.generated.program;
         let weighted = matches!(subject.generated.design.shape, Shape::Window(_));
         assert!(!weighted || !program.tables.is_empty(), "{}: a window has its weights", subject.name);
-        for table in &program.tables {
+        for (_, table) in program.read_tables() {
             let designed: Vec<u64> = table.rows.iter().flatten().map(|x| x.to_bits()).collect();
             let upper = format!("{}_{}[", subject.name, table.name).to_uppercase();
             let c = numbers(subject.file("c"), &upper, "};", program.scalar);
@@ -715,7 +715,7 @@ fn line_09_const_correct_and_plain_data() {
     }
 }
 
-/// Steps of each phase of an abused observer: longer than any window.
+/// Steps of each phase of an abused observer, at least.
 const PHASE: usize = 256;
 /// Steps of the interpreter, over the whole corpus; unoptimised builds take fewer.
 const INTERPRETED: usize = if cfg!(debug_assertions) { 100_000 } else { 1_000_000 };
@@ -744,7 +744,7 @@ fn line_10_a_sensor_that_is_gone_for_good() {
 #[test]
 fn line_10_compiled_code_takes_any_bits() {
     let folder = files();
-    put(&folder.join("abuse.c"), &fleet::abuse(subjects(), &UNSTABLE, PHASE));
+    put(&folder.join("abuse.c"), &fleet::abuse(subjects(), &UNSTABLE, phase));
     let all: Vec<PathBuf> = subjects().iter().map(|it| folder.join(format!("{}.c", it.name))).collect();
     put(&folder.join("nothing.c"), "int main(void)\n{\n    return 0;\n}\n");
     let sanitized = ["-g", "-fsanitize=undefined,address,float-cast-overflow", "-fno-sanitize-recover=all"];
@@ -770,10 +770,14 @@ fn line_10_compiled_code_takes_any_bits() {
     });
 }
 
+/// Steps of each phase: enough to fill the window twice, and to converge.
+fn phase(subject: &Subject) -> usize {
+    PHASE.max(2 * subject.generated.design.window_steps + 2).max(subject.window() + 2)
+}
+
 /// Random bits, odd numbers, plausible numbers and nothing at all, by turns.
 fn abuse(subject: &Subject, steps: usize) {
-    let design = &subject.generated.design;
-    assert!(PHASE > 2 * design.window_steps && PHASE > subject.window(), "{}: a phase is long enough", subject.name);
+    let phase = phase(subject);
     let mut random = Random::new(subject.name.len() as u64);
     let (measured, applied) = (subject.measured(), subject.applied());
     let mut run = Run::new(&subject.generated.program);
@@ -781,7 +785,7 @@ fn abuse(subject: &Subject, steps: usize) {
         let mut number = |span: &corpus::Span| {
             let plausible = span.centre + span.amplitude * random.signed();
             let any = any_bits(subject.scalar(), random.bits());
-            match step / PHASE % 4 {
+            match step / phase % 4 {
                 1 => any,
                 2 if random.one_in(8) => any,
                 2 if random.one_in(8) => random.among(&ODD),
@@ -793,7 +797,7 @@ fn abuse(subject: &Subject, steps: usize) {
         let inputs: Vec<f64> = applied.iter().map(&mut number).collect();
         run.step(&measurements, &inputs);
     }
-    assert!(run.seen.len() == 3 || steps < 4 * PHASE, "{}: every status is reached, {:?}", subject.name, run.seen);
+    assert!(run.seen.len() == 3 || steps < 4 * phase, "{}: every status is reached, {:?}", subject.name, run.seen);
 }
 
 /// Converges, then measures nothing any more.
@@ -802,12 +806,12 @@ fn gone(subject: &Subject, steps: usize) {
     let (measured, applied) = (subject.measured(), subject.applied());
     let mut run = Run::new(&subject.generated.program);
     for step in 0..steps {
-        let there = step < PHASE;
+        let there = step < phase(subject);
         let mut number = |span: &corpus::Span| span.centre + span.amplitude * random.signed();
         let inputs: Vec<f64> = applied.iter().map(&mut number).collect();
         let measurements: Vec<f64> = measured.iter().map(|span| if there { number(span) } else { f64::NAN }).collect();
         run.step(&measurements, &inputs);
-        assert!(step + 1 != PHASE || run.last == Some(Status::Converged), "{}: converged first", subject.name);
+        assert!(step + 1 != phase(subject) || run.last == Some(Status::Converged), "{}: converged first", subject.name);
     }
     assert_ne!(run.last, Some(Status::Converged), "{}: nothing was measured", subject.name);
 }

@@ -14,7 +14,7 @@ use askama::Template;
 use super::Header;
 use super::plan::Plan;
 use super::text::c_comment;
-use crate::program::{Scalar, TableId, Type, Value, literal};
+use crate::program::{Scalar, Type, Value, literal};
 
 /// The contents of `<name>.h`.
 pub fn header(plan: &Plan, header: &Header) -> String {
@@ -41,7 +41,7 @@ pub fn source(plan: &Plan, header: &Header) -> String {
         name: &plan.names.lower,
         indent: indent(plan),
         title: c_comment(&header.title),
-        tables: plan.program.tables.iter().zip(0..).map(|(table, at)| c.table(TableId(at), table)).collect(),
+        tables: plan.program.read_tables().map(|(at, table)| c.table(at, table)).collect(),
         runtime: runtime::sources(plan),
         work: c.work_fields(),
         flags: plan.flags.iter().map(Value::to_string).collect::<Vec<_>>().join(", "),

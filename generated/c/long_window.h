@@ -22,8 +22,8 @@
  *   on top: nonlinear terms are straight lines between samples, second order in the sample time
  *
  * Cost       629 multiplications, 635 additions, 1 sin a call, the same for every call
- * Memory     state 24680 bytes, constants 64956 bytes
- *            at most: stack 2032 bytes, flash 71816 bytes without elementary functions
+ * Memory     state 24680 bytes, constants 64800 bytes
+ *            at most: stack 2032 bytes, flash 71660 bytes without elementary functions
  *
  * Contract:
  *  1. No heap, no recursion, no global or static mutable data, no file or console, no library.

@@ -23,8 +23,8 @@
 //!   on top: nonlinear terms are straight lines between samples, second order in the sample time
 //!
 //! Cost       629 multiplications, 635 additions, 1 sin a call, the same for every call
-//! Memory     state 24680 bytes, constants 64956 bytes
-//!            at most: stack 2032 bytes, flash 71816 bytes without elementary functions
+//! Memory     state 24680 bytes, constants 64800 bytes
+//!            at most: stack 2032 bytes, flash 71660 bytes without elementary functions
 //!
 //! Contract:
 //!  1. No heap, no recursion, no global or static mutable data, no file or console, no library.
@@ -7976,51 +7976,6 @@ static WHOLE: [[f32; 8]; 1950] = [
     ],
 ];
 
-/// a row for each whole block
-///
-/// - `[0]` its number, newest first
-static BLOCKS: [[f32; 1]; 39] = [
-    [1.0],
-    [2.0],
-    [3.0],
-    [4.0],
-    [5.0],
-    [6.0],
-    [7.0],
-    [8.0],
-    [9.0],
-    [10.0],
-    [11.0],
-    [12.0],
-    [13.0],
-    [14.0],
-    [15.0],
-    [16.0],
-    [17.0],
-    [18.0],
-    [19.0],
-    [20.0],
-    [21.0],
-    [22.0],
-    [23.0],
-    [24.0],
-    [25.0],
-    [26.0],
-    [27.0],
-    [28.0],
-    [29.0],
-    [30.0],
-    [31.0],
-    [32.0],
-    [33.0],
-    [34.0],
-    [35.0],
-    [36.0],
-    [37.0],
-    [38.0],
-    [39.0],
-];
-
 /// weights by age, from the window's oldest sample
 ///
 /// - `[0]` sway from sway
@@ -8432,7 +8387,7 @@ impl Observer {
         let mut t100: f32 = 0.0;
         let mut t101: usize = t98;
         let mut t102: usize = t97;
-        for _ in &BLOCKS {
+        for _ in 0..39 {
             let t103 = self.statistic[t101];
             let t104 = WHOLE[t102.min(1949)][0];
             let t105 = t104 * t103;

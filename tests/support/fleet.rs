@@ -340,7 +340,7 @@ fn run<O: Observer + Default + Copy>(
 
 /// A C program that feeds every observer bits of every kind, then nothing to the unstable ones, and
 /// looks at estimate and state after each call. Arguments: steps of each.
-pub fn abuse(subjects: &[Subject], unstable: &[&str], phase: usize) -> String {
+pub fn abuse(subjects: &[Subject], unstable: &[&str], phase: impl Fn(&Subject) -> usize) -> String {
     let mut text = String::from(
         "#include <float.h>\n#include <math.h>\n#include <stdint.h>\n#include <stdio.h>\n#include <stdlib.h>\n#include <string.h>\n\n",
     );
@@ -350,13 +350,13 @@ pub fn abuse(subjects: &[Subject], unstable: &[&str], phase: usize) -> String {
         let _ = write!(
             text,
             "
-static {scalar} any_{scalar}(uint64_t *seed, long step, double centre, double amplitude)
+static {scalar} any_{scalar}(uint64_t *seed, long phase, double centre, double amplitude)
 {{
     const uint64_t bits = draw(seed);
     const {scalar} plausible = ({scalar})number(seed, centre, amplitude);
     {scalar} any;
     memcpy(&any, &bits, sizeof any);
-    switch (step < 0 ? (step < -{phase} ? 0 : 3) : step / {phase} % 4) {{
+    switch (phase % 4) {{
     case 0:
         return plausible;
     case 1:
@@ -371,7 +371,7 @@ static {scalar} any_{scalar}(uint64_t *seed, long step, double centre, double am
         );
     }
     for subject in subjects {
-        text += &c_abuse(subject);
+        text += &c_abuse(subject, phase(subject));
     }
     text += "\nint main(int count, char **arguments)\n{\n    long steps;\n    long gone;\n    if (count != 3) {\n        return 3;\n    }\n    steps = atol(arguments[1]);\n    gone = atol(arguments[2]);\n";
     for subject in subjects {
@@ -383,7 +383,7 @@ static {scalar} any_{scalar}(uint64_t *seed, long step, double centre, double am
     text + "    return 0;\n}\n"
 }
 
-fn c_abuse(subject: &Subject) -> String {
+fn c_abuse(subject: &Subject, phase: usize) -> String {
     let (name, program) = (&subject.name, &subject.generated.program);
     let scalar = if subject.scalar() == Scalar::F32 { "float" } else { "double" };
     let (declared, passed) = if program.inputs.is_empty() {
@@ -393,16 +393,17 @@ fn c_abuse(subject: &Subject) -> String {
     };
     let fill = each(subject, |of, field, span| {
         let line = |step: &str| {
-            format!("{of}.{} = any_{scalar}(&seed, {step}, {:?}, {:?});\n", field.name, span.centre, span.amplitude)
+            format!("{of}.{} = any_{scalar}(&seed, {step} / {phase}, {:?}, {:?});\n", field.name, span.centre, span.amplitude)
         };
         if of == "measurements" {
             format!(
-                "        {}        if (gone && step > 512) {{ {of}.{} = ({scalar})NAN; }}\n",
-                line("gone ? 0 : step"),
+                "        {}        if (gone && step > {}) {{ {of}.{} = ({scalar})NAN; }}\n",
+                line("(gone ? 0 : step)"),
+                2 * phase,
                 field.name
             )
         } else {
-            format!("        {}", line("gone ? 0 : step"))
+            format!("        {}", line("(gone ? 0 : step)"))
         }
     });
     let mut checks = estimates(subject, |name| format!("        fine = fine && isfinite(estimate.{name});\n"));

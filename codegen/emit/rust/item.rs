@@ -12,7 +12,7 @@ impl Rust<'_> {
     /// All items.
     pub fn items(&self) -> TokenStream {
         let (step, parts) = self.plan.step();
-        let tables = self.plan.program.tables.iter().enumerate().map(|(at, table)| self.table(at, table));
+        let tables = self.plan.program.read_tables().map(|(at, table)| self.table(at, table));
         let head = self.head();
         let work = self.work();
         let new = self.new_function();

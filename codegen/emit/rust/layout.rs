@@ -17,15 +17,15 @@ pub fn text(items: TokenStream, plan: &Plan) -> String {
         Ok(file) => file,
         Err(error) => unreachable!("the emitter wrote items: {error}"),
     };
-    let mut tables = plan.program.tables.iter();
+    let mut tables = plan.program.read_tables().map(|(_, table)| table).peekable();
     let mut lines: Vec<String> = vec![];
     for line in prettyplease::unparse(&file).lines() {
         let line = commented(line);
         if lines.last().is_some_and(|before| is_apart(before, &line)) {
             lines.push(String::new());
         }
-        match (line.strip_suffix("ROWS;"), tables.as_slice()) {
-            (Some(start), [table, ..]) => {
+        match (line.strip_suffix("ROWS;"), tables.peek()) {
+            (Some(start), Some(table)) => {
                 lines.push(format!("{start}["));
                 lines.extend(rows(table, plan.program.scalar));
                 lines.push("];".to_owned());

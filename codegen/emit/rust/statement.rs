@@ -10,6 +10,7 @@ use super::super::text::plain;
 use super::function::BY_VALUE;
 use super::item::scalar;
 use super::operation::field;
+use super::table::length;
 use super::{Rust, ident};
 use crate::program::{Carried, Loop, Op, Statement, TableId, Type, Value};
 
@@ -76,9 +77,13 @@ impl Rust<'_> {
     fn looped(&self, source: &Loop, items: &[Item]) -> TokenStream {
         let starts = source.carried.iter().map(|carried| self.start(carried));
         let nexts = source.carried.iter().map(|carried| self.next(carried));
+        let body = self.statements(items);
+        if !self.plan.program.is_read(source.table) {
+            let rows = length(self.plan.program.tables[usize::from(source.table.0)].rows.len());
+            return quote!(#(#starts)* for _ in 0..#rows { #body #(#nexts)* });
+        }
         let row = if self.plan.uses_row(items) { quote!(gains) } else { quote!(_) };
         let table = ident(self.plan.names.table(source.table));
-        let body = self.statements(items);
         quote!(#(#starts)* for #row in &#table { #body #(#nexts)* })
     }
 

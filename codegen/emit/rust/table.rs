@@ -13,13 +13,13 @@ use crate::program::{Status, Table, TableId, Type, Value};
 
 impl Rust<'_> {
     /// A table; the layout writes its rows.
-    pub fn table(&self, at: usize, table: &Table) -> TokenStream {
+    pub fn table(&self, at: TableId, table: &Table) -> TokenStream {
         let title = documentation(if table.doc.is_empty() { "Gains, by column:" } else { &table.doc });
         let columns = table.columns.iter().enumerate().map(|(at, column)| {
             let doc = format!(" - `[{at}]` {}", markdown(column));
             quote!(#[doc = #doc])
         });
-        let name = ident(self.plan.names.table(table_id(at)));
+        let name = ident(self.plan.names.table(at));
         let scalar = scalar(self.plan);
         let (height, width) = (length(table.rows.len()), length(table.columns.len()));
         let rows = if self.laid_out { quote!(ROWS) } else { self.rows(table) };
@@ -85,13 +85,5 @@ pub fn length(length: usize) -> TokenStream {
     match u32::try_from(length) {
         Ok(length) => constant::index(length),
         Err(_) => unreachable!("tables and structs are shorter than 2^32"),
-    }
-}
-
-/// The place of a table.
-pub fn table_id(at: usize) -> TableId {
-    match u16::try_from(at) {
-        Ok(at) => TableId(at),
-        Err(_) => unreachable!("a Program numbers its tables by u16"),
     }
 }

@@ -23,9 +23,9 @@ pub(super) fn ram(program: &Program) -> u64 {
     end.next_multiple_of(widest).max(WORD)
 }
 
-/// The tables, without padding: all elements have the same size.
+/// The tables in the code, without padding: all elements have the same size.
 pub(super) fn tables(program: &Program) -> u64 {
-    let elements: usize = program.tables.iter().map(|table| table.rows.len() * table.columns.len()).sum();
+    let elements: usize = program.read_tables().map(|(_, table)| table.rows.len() * table.columns.len()).sum();
     elements as u64 * u64::from(program.scalar.bytes())
 }
 

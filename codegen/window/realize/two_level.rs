@@ -235,7 +235,7 @@ impl TwoLevel {
         load.words = signals_kept + (whole + 1) * (f + live) + 3;
         let present = |table: &ByPlace| table.present().len();
         load.constants = block * (present(&self.rows) + present(&self.read))
-            + whole * (1 + block * (present(&self.read) + present(&self.handed)))
+            + whole * block * (present(&self.read) + present(&self.handed))
             + tail * functional.pairs();
         load.flops = self.copy.flops()
             + p
