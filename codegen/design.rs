@@ -154,7 +154,7 @@ pub enum Shape {
     /// A functional over the last N samples.
     Window(Functional),
     /// Two copies, reset every N calls.
-    Impulsive(Impulsive),
+    Impulsive(Box<Impulsive>),
 }
 
 impl Design {

@@ -1,8 +1,8 @@
 //! The impulsive observer: two copies of what is not measured, set to a common value every N samples.
 //!
-//! In coordinates (y, x_r) with the outputs first (001 (3)-(4)), z1 estimates x_r and z2 estimates x_r + L y. Both
+//! In coordinates (y, `x_r`) with the outputs first (001 (3)-(4)), z1 estimates `x_r` and z2 estimates `x_r` + L y. Both
 //! start with the same error; one carries it by P, the other by Q, so that after N samples their difference tells
-//! it, and the reset takes it away (001 (9), with t_(k+1) where t_k is printed):
+//! it, and the reset takes it away (001 (9), with `t_(k+1)` where `t_k` is printed):
 //!
 //! `z1 = z1- + X (z1- - z2- + L y), z2 = z1 + L y, X = P (Q - P)^-1 = R1 - I = -R2`.
 //!
@@ -21,6 +21,7 @@ pub mod gain;
 pub mod guard;
 pub mod known;
 pub mod lower;
+pub mod proof;
 pub mod settle;
 pub mod slopes;
 pub mod theorem;
@@ -82,7 +83,7 @@ pub struct Impulsive {
     pub calls: Calls,
     /// How signals run between samples.
     pub between: Between,
-    /// Places of the plant's states that make up x_r.
+    /// Places of the plant's states that make up `x_r`.
     pub rest: Vec<usize>,
     /// What is known besides the outputs.
     pub knowns: Vec<Known>,

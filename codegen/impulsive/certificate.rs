@@ -82,9 +82,8 @@ fn disturbance_gains(plant: &Plant, map: &ErrorMap, maps: &Maps) -> Rows {
     let Some(kernel) = Kernel::new(plant) else { return vec![vec![f64::INFINITY; count]; n] };
     let disturbed = [map.disturbed[0].to_f64(), map.disturbed[1].to_f64()];
     let mut gains = vec![vec![vec![0.0; count]; n]; maps.calls.period];
-    let added = |call: usize, age: usize| {
-        (age == 0).then(|| &disturbed[usize::from(call.is_multiple_of(maps.calls.every))])
-    };
+    let added =
+        |call: usize, age: usize| (age == 0).then(|| &disturbed[usize::from(call.is_multiple_of(maps.calls.every))]);
     maps.responses(&added, &|_| true, &mut |phase, response| kernel.add(response, &mut gains[phase]));
     worst(&gains)
 }
@@ -187,7 +186,8 @@ impl<'a> Maps<'a> {
 
     fn is_over(&self, call: usize, errors: &Rows, peaks: &[f64]) -> bool {
         let most = if self.calls.every == 1 { LASTING } else { 2 * MOST_PERIODS };
-        call >= most * self.calls.period || errors.iter().zip(peaks).all(|(row, peak)| row.iter().all(|x| x.abs() <= OVER * peak))
+        call >= most * self.calls.period
+            || errors.iter().zip(peaks).all(|(row, peak)| row.iter().all(|x| x.abs() <= OVER * peak))
     }
 }
 

@@ -1,12 +1,12 @@
-//! All numbers of the observer at one precision, in the coordinates (y, x_r).
+//! All numbers of the observer at one precision, in the coordinates (y, `x_r`).
 
 use crate::diagnostic::Diagnostic;
 use crate::expr::Constant;
 use crate::plant::Plant;
 use crate::real::{Matrix, NormTooLarge, Precision, Real, Singular, exponential, inverse};
+use crate::window::Source;
 use crate::window::coordinates::{Blocks, Coordinates};
 use crate::window::model::{Model, signals};
-use crate::window::Source;
 
 use super::known::{Known, Run, taps};
 use super::{Between, Form};
@@ -20,7 +20,7 @@ pub struct Choice {
     pub between: Between,
     /// N.
     pub period: usize,
-    /// Places of the plant's states that make up x_r.
+    /// Places of the plant's states that make up `x_r`.
     pub rest: Vec<usize>,
     /// L, (n-p) x p.
     pub gain: Vec<Vec<Constant>>,
@@ -116,7 +116,7 @@ pub struct Exact {
     pub continuous: Option<Continuous>,
 }
 
-/// The plant's coefficients in the coordinates (y, x_r).
+/// The plant's coefficients in the coordinates (y, `x_r`).
 struct Coefficients {
     coordinates: Coordinates,
     model: Model,

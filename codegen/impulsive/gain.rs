@@ -23,6 +23,8 @@ const BITS: usize = 512;
 const AMPLIFICATION: f64 = 1e-3;
 /// Most values of L that are tried from each beginning.
 const MOST_TRIALS: usize = 300;
+/// Multiplications in multiprecision that all of them may take, some seconds.
+const MOST_WORK: usize = 20_000_000;
 /// Halvings of the pattern's step.
 const HALVINGS: usize = 6;
 /// Powers of two by which the first L is tried larger and smaller.
@@ -41,6 +43,8 @@ struct Search<'a> {
     /// Per output, what its samples count by.
     trust: Vec<f64>,
     trials: usize,
+    /// Most values of L that are tried in all.
+    most: usize,
 }
 
 /// The L with the best balance, (n-p) x p; `None` where none tells the copies apart.
@@ -52,7 +56,8 @@ pub fn search(plant: &Plant, rest: &[usize], calls: &Calls) -> Result<Option<Vec
     let coordinates = Coordinates::new(&model.c, rest.to_vec())?;
     let blocks = coordinates.blocks(&model.phi);
     let trust = model.trust.iter().map(Real::to_f64).collect();
-    let mut search = Search { calls, coordinates, phi: model.phi, blocks, trust, trials: 0 };
+    let most = most_trials(rest.len(), calls.period);
+    let mut search = Search { calls, coordinates, phi: model.phi, blocks, trust, trials: 0, most };
     let Some(size) = Size::new(&search.blocks, &search.trust, calls.period) else { return Ok(None) };
     let mut best: Option<(f64, Rows)> = None;
     for (score, alike) in search.beginnings(&size) {
@@ -65,15 +70,21 @@ pub fn search(plant: &Plant, rest: &[usize], calls: &Calls) -> Result<Option<Vec
     Ok(rounded.filter(|(gain, _)| search.score(gain, &size).is_some()).map(|(_, constants)| constants))
 }
 
+/// Trials that the work allows; each takes powers and an inverse of matrices of this size.
+fn most_trials(rest: usize, period: usize) -> usize {
+    let products = 2 * period.max(2).ilog2() as usize + 6;
+    MOST_WORK / (rest * rest * rest * products)
+}
+
 type Rows = Vec<Vec<f64>>;
 
 /// What is large and what is small for a plant, whatever its units.
 pub struct Size {
-    /// Of x_r: what one unit of the outputs' trust, once in the window, leaves unknown of it.
+    /// Of `x_r`: what one unit of the outputs' trust, once in the window, leaves unknown of it.
     rest: Vec<f64>,
     /// Of the entries of L.
     gain: Rows,
-    /// S with `S S' = W^-1`, W the Gramian of x_r over the window: what is alike in its columns' coordinates.
+    /// S with `S S' = W^-1`, W the Gramian of `x_r` over the window: what is alike in its columns' coordinates.
     root: Rows,
     /// A first L, `-W^-1 Phi_yr'`, in these coordinates.
     start: Rows,
@@ -110,7 +121,9 @@ impl Size {
     /// L from these coordinates.
     fn gain(&self, alike: &Rows, trust: &[f64]) -> Rows {
         let mut gain = product(&self.root, alike);
-        gain.iter_mut().for_each(|row| row.iter_mut().zip(trust).for_each(|(x, trust)| *x *= trust));
+        for row in &mut gain {
+            row.iter_mut().zip(trust).for_each(|(x, trust)| *x *= trust);
+        }
         gain
     }
 
@@ -176,6 +189,9 @@ impl Search<'_> {
     fn beginnings(&mut self, size: &Size) -> Vec<(f64, Rows)> {
         let mut all: Vec<(f64, Rows)> = Vec::new();
         for signs in 0..1_usize << size.start.len().min(MOST_SIGNS) {
+            if signs > 0 && 2 * self.trials > self.most {
+                break;
+            }
             let turned = |i: usize| if i < MOST_SIGNS && signs >> i & 1 == 1 { -1.0 } else { 1.0 };
             let mut best: Option<(f64, Rows)> = None;
             for exponent in -SCALES..=SCALES {
@@ -197,7 +213,7 @@ impl Search<'_> {
 
     /// From there, coordinate by coordinate, with steps that are halved when none helps.
     fn pattern(&mut self, mut score: f64, mut alike: Rows, size: &Size) -> (f64, Rows) {
-        let most = self.trials + MOST_TRIALS;
+        let most = self.most.min(self.trials + MOST_TRIALS);
         let mut share = 1.0;
         let mut halvings = 0;
         while halvings < HALVINGS && self.trials < most {
@@ -310,7 +326,7 @@ impl Weights {
         weights
     }
 
-    /// Per state of x_r: the gain from noise, in units of the outputs' trust, right after a reset or right before
+    /// Per state of `x_r`: the gain from noise, in units of the outputs' trust, right after a reset or right before
     /// the next, whichever is larger.
     fn worst(&self, period: usize, trust: &[f64]) -> Vec<f64> {
         let gains = |weights: &[Rows]| -> Vec<f64> {
@@ -364,4 +380,39 @@ fn rounded(gain: &Rows, scale: &Rows) -> (Rows, Vec<Vec<Constant>>) {
     let constants = grid(&|text| Constant::from(decimal::parse(text).unwrap_or_default()));
     let doubles = constants.iter().map(|row| row.iter().map(|c| c.to_f64().unwrap_or(0.0)).collect()).collect();
     (doubles, constants)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::method::designed;
+
+    /// The arm's velocity over 50 samples: the smallest gain that any weights have is 40 (from the two ends of the
+    /// window), and the search comes close to it with a reset that costs less than two digits.
+    #[test]
+    fn the_gain_is_near_the_smallest_there_is() {
+        let (_, design) = designed(include_str!("../../specs/pendulum_impulsive.toml")).unwrap();
+        let gain = design.certificate.noise_gain_l1[1][0];
+        assert!((40.0..43.0).contains(&gain), "{gain}");
+        let x = &design.constants.iter().find(|matrix| matrix.letter == "X").unwrap().rows;
+        assert!(x[0][0].abs() < 100.0, "{x:?}");
+    }
+
+    /// Units do not matter: a state in thousandths has an L of a thousand times the size.
+    #[test]
+    fn the_choice_does_not_depend_on_units() {
+        let text = |unit: &str, back: &str| {
+            format!(
+                "deadbeat = 1\nname = 'm'\n[states]\nx = {{ derivative = '{back}*v' }}\nv = {{ derivative = '-3*v + {unit}*i' }}\n\
+                 i = {{ derivative = '-20*i - {back}*v' }}\n[outputs]\nx = {{ value = 'x' }}\n[observer.impulsive]\nwindow = 0.5\n\
+                 [target]\nsample_time = 0.025\nscalar = 'f64'\n"
+            )
+        };
+        let gain = |text: &str| designed(text).unwrap().1.certificate.noise_gain_l1;
+        let (metres, millimetres) = (gain(&text("1", "1")), gain(&text("1024", "0.0009765625")));
+        for (state, factor) in [(1, 1024.0), (2, 1.0)] {
+            let (a, b) = (metres[state][0] * factor, millimetres[state][0]);
+            // L is rounded to three digits in either unit.
+            assert!((a / b - 1.0).abs() < 0.01, "state {state}: {a}, {b}");
+        }
+    }
 }

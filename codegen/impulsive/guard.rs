@@ -159,12 +159,14 @@ impl Multiples {
         let estimate: Vec<f64> = doubles(&design.back, n)
             .iter()
             .map(|row| {
-                row.iter().enumerate().map(|(j, x)| x.abs() * if j < p { 1.0 } else { z1[j - p].max(after[j - p]) }).sum()
+                row.iter()
+                    .enumerate()
+                    .map(|(j, x)| x.abs() * if j < p { 1.0 } else { z1[j - p].max(after[j - p]) })
+                    .sum()
             })
             .collect();
-        let measured = |s: &crate::plant::State| -> f64 {
-            s.measured.iter().map(|(_, w)| w.to_f64().unwrap_or(0.0).abs()).sum()
-        };
+        let measured =
+            |s: &crate::plant::State| -> f64 { s.measured.iter().map(|(_, w)| w.to_f64().unwrap_or(0.0).abs()).sum() };
         let shown = plant.states.iter().map(measured);
         let all = updates.chain(predicted).chain(difference).chain(new_second).chain(estimate).chain(shown);
         let largest = all.fold(1.0, |largest: f64, x| if x.is_finite() { largest.max(x) } else { f64::INFINITY });
@@ -187,4 +189,35 @@ fn largest_over(period: usize, copy: &Rows, entering: &Rows, start: &[f64]) -> V
         }
     }
     largest
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::design::Shape;
+    use crate::method::designed;
+
+    /// A period of samples at the bound stays where the bounds say, on a plant that grows by 1e3 over a period, in
+    /// both float types.
+    #[test]
+    fn what_enters_at_the_bound_does_not_overflow() {
+        let text = "deadbeat = 1\nname = 'f'\n[states]\nx = { derivative = 'v' }\nv = { derivative = '49*x' }\n[outputs]\n\
+                    x = { value = 'x' }\n[observer.impulsive]\nwindow = 1\n[target]\nsample_time = 0.05\nscalar = 'f32'\n";
+        for text in [text.to_owned(), text.replace("f32", "f64")] {
+            let (plant, design) = designed(&text).unwrap();
+            let Shape::Impulsive(shape) = &design.shape else { unreachable!("the method's shape") };
+            let bounds = Bounds::new(&plant, shape).unwrap();
+            let program = design.lower(&plant).unwrap();
+            let mut interpreter = crate::program::interp::Interpreter::new(&program);
+            let bound = bounds.guard.bound;
+            let mut estimate = [0.0; 2];
+            for call in 0..200 {
+                // The signs that a reset's weights have, and others.
+                let sign = if call * call % 7 < 3 { 1.0 } else { -1.0 };
+                interpreter.step(&[sign * bound], &[], &mut estimate);
+                assert!(estimate.iter().all(|x| x.is_finite()));
+                assert!(interpreter.cells().iter().flat_map(|(_, held)| held).all(|x| x.is_finite()));
+            }
+        }
+    }
 }

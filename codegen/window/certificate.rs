@@ -118,9 +118,8 @@ impl Kernel {
     pub(crate) fn new(plant: &Plant) -> Option<Self> {
         let n = plant.states.len();
         let p = Precision::bits(256);
-        let column = |d: &Disturbance| {
-            Matrix::from_fn(n, 1, |i, _| d.column[i].evaluate(p).unwrap_or_else(|_| Real::zero(p)))
-        };
+        let column =
+            |d: &Disturbance| Matrix::from_fn(n, 1, |i, _| d.column[i].evaluate(p).unwrap_or_else(|_| Real::zero(p)));
         let columns = plant.disturbances.iter().map(column);
         let all = columns.reduce(|a, b| a.hcat(&b)).unwrap_or_else(|| Matrix::zeros(n, 0, p));
         if plant.discrete || all.cols() == 0 {

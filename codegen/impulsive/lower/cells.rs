@@ -63,12 +63,18 @@ pub(super) fn declare(builder: &mut Builder, plant: &Plant, design: &Impulsive) 
         let initial = injections::round(&state.initial, plant.scalar);
         let initial = if initial.is_finite() { initial } else { 0.0 };
         first.push(builder.float_cell(&format!("z1_{name}"), &format!("the first copy: {name}{unit}"), initial));
-        second.push(builder.float_cell(&format!("z2_{name}"), &format!("the second copy: {name} + L y{unit}"), initial));
+        second.push(builder.float_cell(
+            &format!("z2_{name}"),
+            &format!("the second copy: {name} + L y{unit}"),
+            initial,
+        ));
     }
     let mut kept = |name: &str, text: &str, unit: &str, init: f64| -> Vec<CellId> {
         let ago = |calls: usize| if calls == 1 { "a call".to_owned() } else { format!("{calls} calls") };
         (1..=KEPT)
-            .map(|calls| builder.float_cell(&format!("{name}_{calls}"), &format!("{text} {} ago{unit}", ago(calls)), init))
+            .map(|calls| {
+                builder.float_cell(&format!("{name}_{calls}"), &format!("{text} {} ago{unit}", ago(calls)), init)
+            })
             .collect()
     };
     let outputs = plant.outputs.iter().enumerate().map(|(o, output)| {
@@ -78,11 +84,13 @@ pub(super) fn declare(builder: &mut Builder, plant: &Plant, design: &Impulsive) 
     let outputs = outputs.collect();
     let knowns = design.knowns.iter().map(|known| kept(&identifier(&known.text), &known.text, "", 0.0)).collect();
     let inputs = plant.inputs.iter();
-    let inputs = inputs.map(|input| builder.float_cell(&format!("last_{}", input.label.name), "the last good value", 0.0));
+    let inputs =
+        inputs.map(|input| builder.float_cell(&format!("last_{}", input.label.name), "the last good value", 0.0));
     let inputs = inputs.collect();
     let phase = builder.index_cell("phase", "calls since the start or the last reset", 0);
     let most = full_count(design);
-    let count = builder.index_cell("count", &format!("calls since the start, at most {most}; 0 while waiting for it"), 0);
+    let count =
+        builder.index_cell("count", &format!("calls since the start, at most {most}; 0 while waiting for it"), 0);
     let clean = builder.index_cell("clean", &format!("good calls in a row, at most {}", clean_count(design)), 0);
     let coasting = builder.index_cell("coasting", "1 from a bad call until a whole period was good", 0);
     let several = if plant.outputs.len() > 1 { plant.outputs.as_slice() } else { &[] };

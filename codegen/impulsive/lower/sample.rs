@@ -92,7 +92,13 @@ impl<'a> Lowering<'a> {
 
     /// What stands for an output that has no sample, and whether it may: a prediction within the range after
     /// convergence, else the value before. Between measured calls it is the nearest within the range.
-    fn stand_in(&mut self, output: usize, predicted: Value, last: Value, (due, converged): (Value, Value)) -> (Value, Value) {
+    fn stand_in(
+        &mut self,
+        output: usize,
+        predicted: Value,
+        last: Value,
+        (due, converged): (Value, Value),
+    ) -> (Value, Value) {
         let (low, high) = self.bounds.guard.outputs[output];
         let sane = self.builder.in_range(predicted, low, high);
         let usable = self.builder.and(converged, sane);
@@ -180,7 +186,11 @@ impl<'a> Lowering<'a> {
         let known = &self.design.knowns[s];
         // A value that runs belongs to the sample; one of an interval alone to the interval.
         let of_sample = !known.jumps && known.run != Run::Held;
-        if of_sample { signals.now.push(good) } else { signals.since.push(good) }
+        if of_sample {
+            signals.now.push(good);
+        } else {
+            signals.since.push(good);
+        }
         self.builder.select(good, value, last)
     }
 
