@@ -5,7 +5,8 @@
 //! A Design knows no language.
 
 use crate::diagnostic::Diagnostic;
-use crate::impulsive::{self, Between, Impulsive};
+use crate::expr::Symbol;
+use crate::impulsive::{self, Between, Form, Impulsive};
 use crate::plant::Plant;
 use crate::program::{Program, Scalar};
 use crate::real::Real;
@@ -158,14 +159,27 @@ pub enum Shape {
 }
 
 impl Design {
-    /// What stands between samples for what varies there, and what it costs; for the certificate.
-    pub fn between_samples(&self) -> &'static str {
-        match &self.shape {
-            Shape::Impulsive(design) if design.between == Between::Cubic => {
-                "nonlinear terms are third-order polynomials between samples, fourth order in the sample time"
-            }
-            _ => "nonlinear terms are straight lines between samples, second order in the sample time",
-        }
+    /// What a certificate leaves out: how what varies is taken to run between samples, and of which order that is;
+    /// `None` where nothing is.
+    pub fn between_samples(&self, plant: &Plant) -> Option<String> {
+        let varies = |symbol: &Symbol| !matches!(symbol, Symbol::Input(_));
+        let terms = !plant.discrete && plant.injections.iter().any(|i| i.symbols().iter().any(varies));
+        let (outputs, cubic) = match &self.shape {
+            Shape::Window(_) => (false, false),
+            Shape::Impulsive(design) => (design.form == Form::Continuous, design.between == Between::Cubic),
+        };
+        let what = match (outputs, terms) {
+            (false, false) => return None,
+            (false, true) => "nonlinear terms",
+            (true, false) => "outputs",
+            (true, true) => "outputs and nonlinear terms",
+        };
+        let how = if cubic {
+            "third-order polynomials between samples, fourth order"
+        } else {
+            "straight lines between samples, second order"
+        };
+        Some(format!("{what} are {how} in the sample time"))
     }
 
     /// Why there is no error bound although the noise is declared; for the certificate.

@@ -10,11 +10,12 @@
 //! reset, and takes the place of its term `E^-1 L y(t_k) = X Q L y(t_k)`: the same estimate, one memory less, and
 //! the difference of the copies is small once they have converged, so that its digits are not lost.
 //!
-//! [`exact`] has the numbers at one precision, [`settle`] rounds them once, [`gain`] searches for L, [`errors`]
-//! and [`theorem`] say how the estimate converges when only every g-th sample is measured, [`certificate`] sums
-//! up, [`guard`] bounds what may enter, and [`lower`] writes the step.
+//! [`exact`] has the numbers at one precision, [`settle`] rounds them once, [`gain`] searches for L. [`errors`] is how
+//! the errors move, [`proof`] what follows from it when only every g-th sample is measured ([`slopes`], [`theorem`]).
+//! [`certificate`] sums up, [`guard`] bounds what may enter, and [`lower`] writes the step.
 
 pub mod certificate;
+mod dense;
 pub mod errors;
 pub mod exact;
 pub mod gain;
@@ -23,8 +24,10 @@ pub mod known;
 pub mod lower;
 pub mod proof;
 pub mod settle;
+pub mod size;
 pub mod slopes;
 pub mod theorem;
+mod weights;
 
 use crate::design::Settled;
 use known::Known;
@@ -81,6 +84,8 @@ pub struct Update {
 pub struct Impulsive {
     /// Counts.
     pub calls: Calls,
+    /// Which discretisation.
+    pub form: Form,
     /// How signals run between samples.
     pub between: Between,
     /// Places of the plant's states that make up `x_r`.

@@ -108,7 +108,7 @@ fn the_reset_keeps_what_is_right_and_takes_away_what_is_common() {
     }
 }
 
-/// The paper's equations (9) and (23), corrected, with the design's constants: state r, x_r, z1, z2, w.
+/// The paper's equations (9) and (23), corrected, with the design's constants: state r, `x_r`, z1, z2, w.
 struct Paper {
     h: f64,
     g: f64,
@@ -187,7 +187,7 @@ fn the_trajectories_are_the_reference() {
     }
 }
 
-/// An output that stays is a fixed point of every reset: x_r = 0 goes in and comes out. With the printed sign of
+/// An output that stays is a fixed point of every reset: `x_r = 0` goes in and comes out. With the printed sign of
 /// (68) it would not.
 #[test]
 fn a_constant_output_is_a_fixed_point_of_the_reset() {

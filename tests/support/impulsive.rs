@@ -212,9 +212,9 @@ pub fn period_map(linear: &Linear, keys: &str) -> Option<(Generated, DMatrix<f64
     let (n, rest) = (linear.a.nrows(), design.rest.len());
     let mut map = DMatrix::zeros(rest, rest);
     for (unit, place) in design.rest.iter().enumerate() {
-        let states: String =
-            (0..n).map(|i| format!("x{} = {{ initial = {} }}\n", i + 1, u8::from(i == *place))).collect();
-        let started = designed(&text.replace("[observer", &format!("[states]\n{states}[observer")));
+        let states: Vec<String> =
+            (0..n).map(|i| format!("x{} = {{ initial = {} }}", i + 1, u8::from(i == *place))).collect();
+        let started = designed(&text.replace("[observer", &format!("[states]\n{}\n[observer", states.join("\n"))));
         let mut interpreter = Interpreter::new(&started.program);
         let mut estimate = vec![0.0; n];
         for _ in 0..=design.calls.warm_up + design.calls.period {
