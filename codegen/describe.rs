@@ -5,7 +5,6 @@ use std::fmt::Write as _;
 use crate::design::Convergence;
 use crate::diagnostic::Source;
 use crate::emit::Header;
-use crate::expr::Symbol;
 use crate::output::Language;
 use crate::plant::Plant;
 use crate::program::cost::cost;
@@ -207,11 +206,8 @@ fn certificate(generated: &Generated) -> Vec<String> {
     if !bounded && plant.outputs.iter().all(|o| o.noise.is_some()) {
         lines.push(format!("  {}", generated.design.unbounded()));
     }
-    let enters = |i: &&crate::plant::Injection| i.column.iter().any(|entry| !entry.is_zero());
-    if !plant.discrete
-        && plant.injections.iter().filter(enters).any(|i| i.symbols().iter().any(|s| !matches!(s, Symbol::Input(_))))
-    {
-        lines.push(format!("  on top: {}", generated.design.between_samples()));
+    if let Some(between) = generated.design.between_samples(plant) {
+        lines.push(format!("  on top: {between}"));
     }
     lines
 }

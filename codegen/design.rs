@@ -5,7 +5,8 @@
 //! A Design knows no language.
 
 use crate::diagnostic::Diagnostic;
-use crate::impulsive::{self, Impulsive};
+use crate::expr::Symbol;
+use crate::impulsive::{self, Form, Impulsive};
 use crate::plant::Plant;
 use crate::program::{Program, Scalar};
 use crate::real::Real;
@@ -173,14 +174,24 @@ impl Shape {
 }
 
 impl Design {
-    /// What stands between samples for what varies there, and what it costs; for the certificate.
-    pub fn between_samples(&self) -> &'static str {
-        match self.shape.between() {
-            Between::Lines | Between::Steps => {
-                "nonlinear terms are straight lines between samples, second order in the sample time"
-            }
-            Between::Cubics => "nonlinear terms are cubics between samples, fourth order in the sample time",
-        }
+    /// What a certificate leaves out: how what varies is taken to run between samples, and of which order that is;
+    /// `None` where nothing is.
+    pub fn between_samples(&self, plant: &Plant) -> Option<String> {
+        let varies = |symbol: &Symbol| !matches!(symbol, Symbol::Input(_));
+        let enters = |i: &&crate::plant::Injection| i.column.iter().any(|entry| !entry.is_zero());
+        let terms = !plant.discrete && plant.injections.iter().filter(enters).any(|i| i.symbols().iter().any(varies));
+        let outputs = matches!(&self.shape, Shape::Impulsive(design) if design.form == Form::Continuous);
+        let what = match (outputs, terms) {
+            (false, false) => return None,
+            (false, true) => "nonlinear terms",
+            (true, false) => "outputs",
+            (true, true) => "outputs and nonlinear terms",
+        };
+        let how = match self.shape.between() {
+            Between::Lines | Between::Steps => "straight lines between samples, second order",
+            Between::Cubics => "cubics between samples, fourth order",
+        };
+        Some(format!("{what} are {how} in the sample time"))
     }
 
     /// Why there is no error bound although the noise is declared; for the certificate.

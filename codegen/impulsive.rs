@@ -1,8 +1,8 @@
 //! The impulsive observer: two copies of what is not measured, set to a common value every N samples.
 //!
-//! In coordinates (y, x_r) with the outputs first (001 (3)-(4)), z1 estimates x_r and z2 estimates x_r + L y. Both
+//! In coordinates (y, `x_r`) with the outputs first (001 (3)-(4)), z1 estimates `x_r` and z2 estimates `x_r` + L y. Both
 //! start with the same error; one carries it by P, the other by Q, so that after N samples their difference tells
-//! it, and the reset takes it away (001 (9), with t_(k+1) where t_k is printed):
+//! it, and the reset takes it away (001 (9), with `t_(k+1)` where `t_k` is printed):
 //!
 //! `z1 = z1- + X (z1- - z2- + L y), z2 = z1 + L y, X = P (Q - P)^-1 = R1 - I = -R2`.
 //!
@@ -10,20 +10,24 @@
 //! reset, and takes the place of its term `E^-1 L y(t_k) = X Q L y(t_k)`: the same estimate, one memory less, and
 //! the difference of the copies is small once they have converged, so that its digits are not lost.
 //!
-//! [`exact`] has the numbers at one precision, [`settle`] rounds them once, [`gain`] searches for L, [`errors`]
-//! and [`theorem`] say how the estimate converges when only every g-th sample is measured, [`certificate`] sums
-//! up, [`guard`] bounds what may enter, and [`lower`] writes the step.
+//! [`exact`] has the numbers at one precision, [`settle`] rounds them once, [`gain`] searches for L. [`errors`] is how
+//! the errors move, [`proof`] what follows from it when only every g-th sample is measured ([`slopes`], [`theorem`]).
+//! [`certificate`] sums up, [`guard`] bounds what may enter, and [`lower`] writes the step.
 
 pub mod certificate;
+mod dense;
 pub mod errors;
 pub mod exact;
 pub mod gain;
 pub mod guard;
 pub mod known;
 pub mod lower;
+pub mod proof;
 pub mod settle;
+pub mod size;
 pub mod slopes;
 pub mod theorem;
+mod weights;
 
 use crate::design::Settled;
 use crate::window::model::Between;
@@ -72,9 +76,11 @@ pub struct Update {
 pub struct Impulsive {
     /// Counts.
     pub calls: Calls,
+    /// Which discretisation.
+    pub form: Form,
     /// How signals run between samples.
     pub between: Between,
-    /// Places of the plant's states that make up x_r.
+    /// Places of the plant's states that make up `x_r`.
     pub rest: Vec<usize>,
     /// What is known besides the outputs.
     pub knowns: Vec<Known>,

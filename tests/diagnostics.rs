@@ -152,7 +152,29 @@ fn survives(text: &str) {
 }
 
 /// Small plants with short windows, so that a design costs milliseconds.
-const SEEDS: [&str; 5] = [
+const SEEDS: [&str; 6] = [
+    r#"deadbeat = 1
+name = "swing"
+[states]
+q = { derivative = 'dq' }
+dq = { derivative = 'u - sin(q) - 0.5*dq + w' }
+[inputs]
+u = { hold = "zero" }
+[outputs]
+q = { value = 'q', noise = 1e-3, range = [-2, 2] }
+[disturbances]
+w = { bound = 0.1 }
+[observer.impulsive]
+window = 0.08
+L = [[-1]]
+form = "exact"
+hold = "third"
+measured_every = 2
+unproved = "accept"
+[target]
+sample_time = 0.01
+scalar = "f32"
+"#,
     r#"deadbeat = 1
 name = "cart"
 title = "A cart"

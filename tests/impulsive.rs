@@ -20,7 +20,7 @@ use deadbeat_codegen::design::Convergence;
 use deadbeat_codegen::diagnostic::codes;
 use deadbeat_codegen::program::Status;
 use deadbeat_codegen::{Generated, Generator};
-use impulsive::{Linear, errors_at_resets, rounding};
+use impulsive::{Linear, period_map, radius, rounding};
 use plant::{advance, designed, matrix};
 use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestRng, TestRunner};
 use serde_json::Value;
@@ -108,7 +108,7 @@ fn the_reset_keeps_what_is_right_and_takes_away_what_is_common() {
     }
 }
 
-/// The paper's equations (9) and (23), corrected, with the design's constants: state r, x_r, z1, z2, w.
+/// The paper's equations (9) and (23), corrected, with the design's constants: state r, `x_r`, z1, z2, w.
 struct Paper {
     h: f64,
     g: f64,
@@ -187,7 +187,7 @@ fn the_trajectories_are_the_reference() {
     }
 }
 
-/// An output that stays is a fixed point of every reset: x_r = 0 goes in and comes out. With the printed sign of
+/// An output that stays is a fixed point of every reset: `x_r = 0` goes in and comes out. With the printed sign of
 /// (68) it would not.
 #[test]
 fn a_constant_output_is_a_fixed_point_of_the_reset() {
@@ -282,33 +282,28 @@ fn every_observable_linear_plant_is_estimated_exactly() {
 }
 
 /// Where calls are not measured, the error of z1 goes from reset to reset by a matrix whose spectral radius is the
-/// printed one: the matrix is found from runs that start with one error each.
+/// printed one, in both forms.
 #[test]
 fn the_measured_contraction_has_the_printed_radius() {
-    let mut seen = 0;
-    for seed in 0..60 {
-        let shape = (2 + seed as usize % 3, 1, 0, false, 6 + seed as usize % 5, seed);
-        let mut linear = Linear::new(shape);
+    let mut seen = [0, 0];
+    for seed in 0..40 {
+        let mut linear = Linear::new((2 + seed as usize % 3, 1, 0, seed % 4 == 3, 6 + seed as usize % 5, seed));
         let every = 2 + seed as usize % 2;
         linear.steps = linear.steps.next_multiple_of(every);
-        for form in ["exact", "continuous"] {
-            if linear.discrete && form == "continuous" {
-                continue;
-            }
-            let text = linear.text(&format!("measured_every = {every}\nform = '{form}'"));
-            let Ok(generated) = Generator::new(&text, "random.toml").design() else { continue };
-            let Convergence::Geometric { radius, period } = generated.design.convergence else { continue };
+        for (place, form) in ["exact", "continuous"].into_iter().enumerate() {
+            let keys = format!("measured_every = {every}\nform = '{form}'");
+            let Some((generated, map)) = period_map(&linear, &keys) else { continue };
+            let Convergence::Geometric { radius: printed, period } = generated.design.convergence else { continue };
             assert_eq!(period, linear.steps);
-            let [before, after] = errors_at_resets(&linear, &generated);
-            let (radius_seen, unit) = impulsive::radius(&before, &after);
-            // The runs are exact to rounding, which the inverse of the first errors multiplies. The continuous form
-            // is wrong by its straight lines, alike in all runs of one plant only where the plant is at rest.
-            println!("{form} seed {seed}: printed {radius:.6}, seen {radius_seen:.6}");
-            if form == "exact" {
-                assert!((radius - radius_seen).abs() <= 1e-9 * unit, "seed {seed}: {radius} {radius_seen}\n{text}");
-                seen += 1;
-            }
+            let found = radius(&map);
+            println!("{form} seed {seed}: printed {printed:.9}, found {found:.9}");
+            // The runs are exact to rounding, which a defective map may bring out with its root.
+            assert!(
+                (printed - found).abs() <= 1e-7 * map.abs().max().max(1.0),
+                "{form}, seed {seed}: {printed} {found}"
+            );
+            seen[place] += 1;
         }
     }
-    assert!(seen >= 20, "{seen} plants");
+    assert!(seen.iter().all(|seen| *seen >= 12), "{seen:?} plants");
 }

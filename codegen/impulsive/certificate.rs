@@ -13,8 +13,8 @@ use crate::window::Source;
 use crate::window::certificate::{Kernel, slope};
 
 use super::Calls;
+use super::dense::{Rows, product, sum};
 use super::errors::{ErrorMap, MOST_PERIODS};
-use super::gain::{product, sum};
 use super::known::{Known, depends_on_outputs};
 
 /// What is left of a response when it counts as over; gains are that exact.
@@ -24,8 +24,6 @@ const MOST_WORK: f64 = 2e9;
 /// Periods after which a response is over where every call is measured: its own, and one for what is left in z2 by
 /// a sample that a reset used.
 const LASTING: usize = 3;
-
-type Rows = Vec<Vec<f64>>;
 
 /// The longest period, in calls, that is certified for a plant with so many states, outputs and disturbances.
 pub fn longest_period(states: usize, outputs: usize, ages: usize, disturbed: bool) -> usize {

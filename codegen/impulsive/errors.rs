@@ -163,3 +163,58 @@ pub fn periods(map: &Matrix) -> Option<usize> {
     }
     None
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::impulsive::exact::{Choice, exact};
+    use crate::impulsive::known::knowns;
+    use crate::impulsive::{Between, Form};
+    use crate::method::designed;
+
+    const MOTOR: &str = "deadbeat = 1\nname = 'm'\n[plant]\nA = [[0, 1, 0], [0, -1, 15], [0, -36.4, -200]]\nC = [[1, 0, 0]]\n\
+                         [observer.impulsive]\nwindow = 0.1\nL = [[-1], [3]]\n[target]\nsample_time = 5e-3\n";
+
+    fn map(form: Form, between: Between) -> ErrorMap {
+        let (plant, design) = designed(MOTOR).unwrap();
+        assert_eq!(design.window_steps, 20);
+        let decimal = |x: i64| crate::expr::Constant::from(crate::real::Rational::from(x));
+        let gain = vec![vec![decimal(-1)], vec![decimal(3)]];
+        let choice = Choice { form, between, period: 20, rest: vec![1, 2], gain };
+        let Ok(exact) = exact(&plant, &choice, &knowns(&plant, between), Precision::bits(512)) else {
+            unreachable!("this motor has numbers")
+        };
+        ErrorMap::new(&exact)
+    }
+
+    /// With a sample at every call a reset leaves nothing; with fewer, something, and more the fewer there are.
+    #[test]
+    fn a_period_of_samples_leaves_nothing() {
+        for (form, between) in
+            [(Form::Exact, Between::Lines), (Form::Continuous, Between::Lines), (Form::Continuous, Between::Cubics)]
+        {
+            let map = map(form, between);
+            let calls = |every| Calls { period: 20, every, warm_up: 0, converged: 0 };
+            let left = map.period(&calls(1));
+            // Of an error of the copies; older outputs have none with a sample at every call.
+            let left = left.block(0..left.rows(), 0..2);
+            assert!(left.max_abs().log2_abs() < -400.0, "{form:?}, {between:?}");
+            let radii = [2, 4, 10].map(|every| spectral_radius(&map.period(&calls(every))));
+            assert!(0.0 < radii[0] && radii[0] < radii[1] && radii[1] < radii[2], "{form:?}, {between:?}: {radii:?}");
+        }
+    }
+
+    #[test]
+    fn radii_are_those_of_known_matrices() {
+        let p = Precision::bits(256);
+        let matrix = |rows: [[i64; 2]; 2]| Matrix::from_fn(2, 2, |i, j| Real::from_i64(rows[i][j], p).shifted(-4));
+        for (rows, radius) in
+            [([[8, 3], [0, -12]], 0.75), ([[3, -4], [4, 3]], 0.3125), ([[8, 1], [0, 8]], 0.5), ([[0, 9], [0, 0]], 0.0)]
+        {
+            assert!((spectral_radius(&matrix(rows)) - radius).abs() < 1e-9, "{rows:?}");
+        }
+        // 0.5^20 = 9.5e-7.
+        assert_eq!(periods(&matrix([[8, 0], [0, 2]])), Some(20));
+        assert_eq!(periods(&matrix([[16, 0], [0, 2]])), None);
+    }
+}

@@ -1,4 +1,4 @@
-//! All numbers of the observer at one precision, in the coordinates (y, x_r).
+//! All numbers of the observer at one precision, in the coordinates (y, `x_r`).
 
 use crate::diagnostic::Diagnostic;
 use crate::expr::Constant;
@@ -21,7 +21,7 @@ pub struct Choice {
     pub between: Between,
     /// N.
     pub period: usize,
-    /// Places of the plant's states that make up x_r.
+    /// Places of the plant's states that make up `x_r`.
     pub rest: Vec<usize>,
     /// L, (n-p) x p.
     pub gain: Vec<Vec<Constant>>,
@@ -117,7 +117,7 @@ pub struct Exact {
     pub continuous: Option<Continuous>,
 }
 
-/// The plant's coefficients in the coordinates (y, x_r).
+/// The plant's coefficients in the coordinates (y, `x_r`).
 struct Coefficients {
     coordinates: Coordinates,
     model: Model,

@@ -132,3 +132,43 @@ pub fn taps(run: Run, a: &Matrix, b: &Matrix, h: Option<&Real>) -> Result<Vec<Ma
         }
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::method::designed;
+    use crate::real::Precision;
+
+    /// Whatever the run, a value that stays does what a held one does.
+    #[test]
+    fn taps_add_up_to_the_held_one() {
+        let p = Precision::bits(256);
+        let number = |x: i64| Real::from_i64(x, p) / Real::from_i64(10, p);
+        let (a, b) = (
+            Matrix::from_fn(2, 2, |i, j| number([[0, 10], [-30, -2]][i][j])),
+            Matrix::from_fn(2, 1, |i, _| number([3, 7][i])),
+        );
+        let h = number(1);
+        let held = &taps(Run::Held, &a, &b, Some(&h)).unwrap()[0];
+        for run in [Run::Straight, Run::Cubic] {
+            let taps = taps(run, &a, &b, Some(&h)).unwrap();
+            assert_eq!(taps.len(), run.taps());
+            let sum = taps.iter().skip(1).fold(taps[0].clone(), |sum, tap| &sum + tap);
+            assert!((&sum - held).max_abs().log2_abs() < -240.0);
+        }
+        assert_eq!(taps(Run::Begin, &a, &b, None).unwrap()[1], b);
+    }
+
+    /// A term with a held input is evaluated at every sample of its polynomial; one without, once.
+    #[test]
+    fn terms_that_jump_are_evaluated_anew() {
+        let text = "deadbeat = 1\nname = 'm'\n[states]\nx = { derivative = 'v' }\nv = { derivative = 'u*x^2 + cos(x) + u' }\n\
+                    [inputs]\nu = {}\n[outputs]\nx = { value = 'x' }\n[observer.impulsive]\nwindow = 0.1\nhold = 'third'\n\
+                    [target]\nsample_time = 0.01\n";
+        let (plant, _) = designed(text).unwrap();
+        let all = knowns(&plant, Between::Cubics);
+        let kinds: Vec<(usize, usize)> = all.iter().map(|known| (known.ago, known.taps())).collect();
+        assert_eq!(kinds, [(0, 1), (0, 4), (3, 1), (2, 1), (1, 1), (0, 1)]);
+        assert_eq!(all.iter().filter(|known| known.needs_samples(&plant)).count(), 2);
+    }
+}

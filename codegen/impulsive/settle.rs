@@ -61,6 +61,7 @@ fn impulsive(
     let back = grid(&|e| &e.coordinates.back);
     Impulsive {
         calls,
+        form: choice.form,
         between: choice.between,
         rest: choice.rest.clone(),
         knowns: knowns.to_vec(),

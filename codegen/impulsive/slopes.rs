@@ -76,3 +76,21 @@ pub fn sloped(exact: &Exact, knowns: &[Known], slopes: &Slopes) -> Exact {
         ..exact.clone()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::method::designed;
+
+    #[test]
+    fn corners_are_the_ends_of_the_slopes() {
+        let text = "deadbeat = 1\nname = 'p'\n[states]\nx = { derivative = 'v' }\nv = { derivative = '-sin(x) + 0.5*x^2' }\n[outputs]\n\
+                    x = { value = 'x', range = [-1, 2] }\n[observer.impulsive]\nwindow = 1\n[target]\nsample_time = 0.1\n";
+        let (plant, _) = designed(text).unwrap();
+        let found = corners(&plant).unwrap();
+        // One function for one state: -cos(x) + x is in [-2, 3].
+        assert_eq!(found, [vec![vec![-2.0]], vec![vec![3.0]]]);
+        let (plant, _) = designed(&text.replace(", range = [-1, 2]", "")).unwrap();
+        assert_eq!(corners(&plant), None);
+    }
+}

@@ -103,3 +103,35 @@ fn longest(fast: f64, factor: f64) -> f64 {
 pub fn named(terms: &[String]) -> String {
     List(&terms.iter().map(String::as_str).collect::<Vec<_>>()).to_string()
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::method::designed;
+
+    const PENDULUM: &str = "deadbeat = 1\nname = 'p'\n[states]\nx1 = { derivative = 'x2' }\nx2 = { derivative = '-sin(x1)' }\n\
+                            [outputs]\nx1 = { value = 'x1' }\n[observer.impulsive]\nwindow = 1\nL = [[-1]]\nmeasured_every = 9\n\
+                            [target]\nsample_time = '1/90'\nscalar = 'f64'\n";
+
+    /// 1 + 6 e / (e - 1) = 10.4919, so that mu must be below 0.09531 s: 0.1 s is not, 0.09 s (of nu = 0.99 s) is.
+    #[test]
+    fn the_corrected_condition_decides() {
+        let refused = designed(PENDULUM).unwrap_err();
+        assert!(refused.contains("mu gamma(mu) = 1.0492, not below 1; mu < 0.09531 s would be"), "{refused}");
+        let (_, accepted) = designed(&PENDULUM.replace("= 9\n", "= 9\nunproved = 'accept'\n")).unwrap();
+        assert_eq!(accepted.warnings.len(), 1);
+        let closer = PENDULUM.replace("'1/90'", "0.01").replace("window = 1", "window = 0.99");
+        let (_, proved) = designed(&closer).unwrap();
+        assert!(proved.warnings.is_empty());
+        assert!(proved.notes.iter().any(|note| note.contains("< 1: proved")), "{:?}", proved.notes);
+    }
+
+    /// A slope without a bound proves nothing, and says what would bound it.
+    #[test]
+    fn an_unbounded_slope_is_said() {
+        let cubic = PENDULUM.replace("-sin(x1)", "-x1^3").replace("= 9", "= 3");
+        let refused = designed(&cubic).unwrap_err();
+        assert!(refused.contains("no bound on the slope of `x1^3`: declare the outputs' `range`"), "{refused}");
+        let bounded = cubic.replace("value = 'x1'", "value = 'x1', range = [-0.5, 0.5]");
+        assert!(designed(&bounded).is_ok());
+    }
+}

@@ -20,27 +20,28 @@ use super::window::{
 };
 use super::{Keyed, Method};
 use crate::decimal::show;
-use crate::design::{Convergence, Design, NamedMatrix, Shape};
+use crate::design::{Design, NamedMatrix, Shape};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::expr::{Constant, List};
 use crate::impulsive::certificate::{certify, longest_period};
-use crate::impulsive::errors::{ErrorMap, MOST_PERIODS, periods, spectral_radius};
-use crate::impulsive::exact::{Choice, Continuous, Exact, Failure, in_continuous_time};
-use crate::impulsive::gain::{Size, search};
-use crate::impulsive::known::{Known, Run, depends_on_outputs, knowns};
+use crate::impulsive::errors::ErrorMap;
+use crate::impulsive::exact::{Choice, Exact, Failure};
+use crate::impulsive::gain::search;
+use crate::impulsive::known::{Known, Run, knowns};
+use crate::impulsive::proof::{Asked, prove};
 use crate::impulsive::settle::settle;
-use crate::impulsive::slopes::{corners, sloped};
-use crate::impulsive::theorem::{Theorem2, lipschitz, named};
+use crate::impulsive::size::Size;
+use crate::impulsive::theorem::Theorem2;
 use crate::impulsive::{Calls, Form};
 use crate::plant::Plant;
 use crate::program::Scalar;
-use crate::real::{Matrix, Precision, Real};
+use crate::real::{Matrix, Precision};
 use crate::spec::reader::Table;
 use crate::spec::{Quantity, Rows};
 use crate::window::coordinates::Coordinates;
 use crate::window::model::Between;
 use crate::window::model::Model;
-use crate::window::{count, seconds, trimmed};
+use crate::window::{count, refuse_much_work, seconds, trimmed};
 
 /// The registry's entry.
 pub const METHOD: Method = Method {
@@ -127,7 +128,13 @@ impl Keyed for Keys {
         self.refuse_discrete(plant, &mut found);
         let period = window_steps(plant, &self.window, &mut found);
         refuse_steps(plant, &self.hold, &mut found);
-        let rest = self.coordinates(plant, &mut found)?;
+        if let Some(period) = period {
+            refuse_much_work(plant, period, &self.window.span(), &mut found);
+        }
+        if !found.is_empty() {
+            return Err(found);
+        }
+        let rest = not_measured(plant, &mut found)?;
         let (Some(period), Some(rest), true) = (period, rest, found.is_empty()) else { return Err(found) };
         let knowns = knowns(plant, self.hold.0);
         let calls = self.calls(plant, period, &knowns)?;
@@ -140,10 +147,11 @@ impl Keyed for Keys {
         self.refuse_lost_digits(plant, &exact, period)?;
 
         let map = ErrorMap::new(&exact);
-        let mut notes = vec![self.gain_note(plant, &choice)];
-        let mut warnings: Vec<Diagnostic> = time_warning(plant).into_iter().chain(resolution_warnings(plant)).collect();
-        let convergence = self.convergence(plant, &mut shape.calls, (&exact, &knowns), &map, &mut notes)?;
-        let theorem = self.theorem(plant, &choice, &shape.calls, &mut notes, &mut warnings)?;
+        let asked = Asked { plant, choice: &choice, knowns: &knowns, every: self.every.1.clone(), accept: self.accept };
+        let proof = prove(&asked, &exact, &map, &mut shape.calls)?;
+        let notes = std::iter::once(self.gain_note(plant, &choice)).chain(proof.notes).collect();
+        let warnings =
+            time_warning(plant).into_iter().chain(resolution_warnings(plant)).chain(proof.warnings).collect();
         let certificate = certify(plant, &knowns, &map, &shape.calls);
         Ok(Design {
             method: METHOD.name,
@@ -151,10 +159,10 @@ impl Keyed for Keys {
             summary: summary(plant, &shape.calls, self.form.0),
             window_steps: period,
             valid_from_step: shape.calls.converged,
-            convergence,
+            convergence: proof.convergence,
             realizations: Vec::new(),
             notes,
-            constants: constants(&exact, theorem.as_ref()),
+            constants: constants(&exact, proof.theorem.as_ref()),
             fir: None,
             certificate,
             numerics,
@@ -171,29 +179,6 @@ impl Keys {
             let error = Diagnostic::error(codes::METHOD_CANNOT, self.form.1.clone(), message);
             found.push(error.help("leave `form` out: the exact one is of the sampled plant, which this is"));
         }
-    }
-
-    /// The states that are not measured.
-    fn coordinates(&self, plant: &Plant, found: &mut Vec<Diagnostic>) -> Result<Option<Vec<usize>>, Vec<Diagnostic>> {
-        let model = Model::new(plant, &[], Precision::bits(VERDICT_BITS))?;
-        let (n, p) = (plant.states.len(), plant.outputs.len());
-        let rest = if p <= n { Coordinates::pick(&model.c.to_f64(), n) } else { None };
-        match &rest {
-            None => {
-                let names: Vec<&str> = plant.outputs.iter().map(|o| o.label.name.as_str()).collect();
-                let message = format!("the outputs {} repeat each other", List(&names));
-                let error = Diagnostic::error(codes::METHOD_CANNOT, plant.span.clone(), message)
-                    .label("this method takes each output as a state of its own");
-                found.push(error.help("leave out the outputs that others show, or use the method `window`"));
-            }
-            Some(rest) if rest.is_empty() => {
-                let error = Diagnostic::error(codes::METHOD_CANNOT, plant.span.clone(), "every state is measured")
-                    .label("this method estimates the states that are not");
-                found.push(error.help("use the method `window`, which averages the noise of the outputs"));
-            }
-            Some(_) => {}
-        }
-        Ok(rest)
     }
 
     /// N, g and the warm-up.
@@ -241,7 +226,7 @@ impl Keys {
         let mut found = Vec::new();
         if rows.len() != rest.len() || rows.iter().any(|row| row.len() != outputs) {
             let names: Vec<&str> = rest.iter().map(|i| plant.states[*i].label.name.as_str()).collect();
-            let message = format!("`L` must have {} rows of {outputs} numbers", rest.len());
+            let message = format!("`L` must be a {} x {outputs} matrix", rest.len());
             let error = Diagnostic::error(codes::SHAPE, span.clone(), message);
             return Err(vec![error.help(format!("a row each for {}, a column per output", List(&names)))]);
         }
@@ -301,141 +286,6 @@ impl Keys {
         let from = if self.gain.is_some() { "" } else { ", found by search" };
         format!("L = [{rows}] (rows {}, columns {}){from}", states.join(", "), outputs.join(", "))
     }
-
-    /// How the estimate converges, and after how many calls.
-    fn convergence(
-        &self,
-        plant: &Plant,
-        calls: &mut Calls,
-        (exact, knowns): (&Exact, &[Known]),
-        map: &ErrorMap,
-        notes: &mut Vec<String>,
-    ) -> Result<Convergence, Vec<Diagnostic>> {
-        if calls.every == 1 {
-            calls.converged = calls.warm_up + calls.period;
-            return Ok(Convergence::Finite);
-        }
-        let h = plant.sample_time_s();
-        let mut period = map.period(calls);
-        let mut radius = spectral_radius(&period);
-        let (mu, nu) = (trimmed(seconds(calls.every, h)), trimmed(seconds(calls.period, h)));
-        notes.push(format!(
-            "Measured every {} calls, mu = {mu} s: the linear part's error map over {nu} s has the spectral radius {}",
-            calls.every,
-            crate::describe::short(radius)
-        ));
-        let refuse = |radius: f64, message: &str| {
-            let help = "a smaller `measured_every`, or `L = \"auto\"`";
-            let error = Diagnostic::error(codes::UNPROVED, self.every.1.clone(), message).measured(radius);
-            vec![error.label(format!("spectral radius {radius:.4} from reset to reset")).help(help)]
-        };
-        if radius >= 1.0 {
-            return Err(refuse(radius, "the errors between measurements grow from reset to reset"));
-        }
-        let linear = !plant.injections.iter().any(|i| depends_on_outputs(&i.symbols()));
-        if !linear && let Some(corners) = corners(plant) {
-            for slopes in corners {
-                let map = ErrorMap::new(&sloped(exact, knowns, &slopes)).period(calls);
-                let sloped = spectral_radius(&map);
-                if sloped > radius {
-                    (radius, period) = (sloped, map);
-                }
-            }
-            let largest = crate::describe::short(radius);
-            notes.push(format!(
-                "  and with the slopes of the nonlinear terms at the ends of what is declared, at most {largest}"
-            ));
-            if radius >= 1.0 && !self.accept {
-                let message = "the errors between measurements grow where the nonlinear terms are steepest";
-                return Err(refuse(radius, message));
-            }
-        }
-        if radius >= 1.0 {
-            (period, radius) = (map.period(calls), spectral_radius(&map.period(calls)));
-        }
-        let Some(periods) = periods(&period) else {
-            return Err(refuse(radius, &format!("the estimate needs more than {MOST_PERIODS} windows to converge")));
-        };
-        calls.converged = calls.warm_up + periods * calls.period;
-        let finite = linear && radius == 0.0 && self.form.0 == Form::Exact;
-        Ok(if finite { Convergence::Finite } else { Convergence::Geometric { radius, period: calls.period } })
-    }
-
-    /// 001's Theorem 2, where it speaks of this plant; what it asks and is not given is an error, or a warning.
-    fn theorem(
-        &self,
-        plant: &Plant,
-        choice: &Choice,
-        calls: &Calls,
-        notes: &mut Vec<String>,
-        warnings: &mut Vec<Diagnostic>,
-    ) -> Result<Option<Theorem2>, Vec<Diagnostic>> {
-        if calls.every == 1 {
-            return Ok(None);
-        }
-        let linear = !plant.injections.iter().any(|i| depends_on_outputs(&i.symbols()));
-        let mut against = None;
-        let mut theorem = None;
-        if plant.discrete {
-            against = Some(("Theorem 2 of 2021 is of plants in continuous time".to_owned(), None));
-        } else {
-            match self.theorem_2(plant, choice, calls) {
-                Ok(found) => {
-                    notes.extend(theorem_notes(&found));
-                    if found.condition >= 1.0 {
-                        let label = format!(
-                            "mu gamma(mu) = {:.4}, not below 1; mu < {} s would be",
-                            found.condition,
-                            crate::describe::short(found.longest_s)
-                        );
-                        against = Some((label, Some(found.condition)));
-                    }
-                    theorem = Some(found);
-                }
-                Err(label) => {
-                    notes.push(format!("Theorem 2: not applicable; {label}"));
-                    against = Some((label, None));
-                }
-            }
-        }
-        // A linear plant's errors move as the map says, whatever a sufficient condition says of it.
-        if let (Some((label, measured)), false) = (against, linear) {
-            let message = "the convergence between measurements is not proved";
-            let mut found = if self.accept {
-                Diagnostic::warning(codes::UNPROVED, self.every.1.clone(), message)
-            } else {
-                Diagnostic::error(codes::UNPROVED, self.every.1.clone(), message)
-            };
-            found.measured = measured;
-            let found = found.label(label);
-            if !self.accept {
-                return Err(vec![found.help(
-                    "a smaller `measured_every`, or `unproved = \"accept\"`: the linear part's errors do contract",
-                )]);
-            }
-            warnings.push(found);
-        }
-        Ok(theorem)
-    }
-
-    /// The theorem's numbers, or why there are none.
-    fn theorem_2(&self, plant: &Plant, choice: &Choice, calls: &Calls) -> Result<Theorem2, String> {
-        let precision = Precision::bits(VERDICT_BITS);
-        let continuous = |precision| in_continuous_time(plant, choice, precision);
-        let continuous: Continuous = continuous(precision.doubled())
-            .or_else(|_| continuous(precision.doubled().doubled().doubled()))
-            .map_err(|_| "with this L, E is singular in continuous time".to_owned())?;
-        let model = Model::new(plant, &[], precision).map_err(|_| "the plant cannot be sampled".to_owned())?;
-        let coordinates = Coordinates::new(&model.c, choice.rest.clone()).map_err(|error| error.to_string())?;
-        let lipschitz = lipschitz(plant, &coordinates.into.to_f64())
-            .map_err(|terms| format!("no bound on the slope of {}: declare the outputs' `range`", named(&terms)))?;
-        let value = |c: &Constant| c.evaluate(precision.doubled()).unwrap_or_else(|_| Real::zero(precision));
-        let h = value(&plant.sample_time.0);
-        let times = |calls: usize| &h * &Real::from_i64(i64::try_from(calls).unwrap_or(i64::MAX), precision.doubled());
-        let gain = Matrix::from_fn(choice.gain.len(), plant.outputs.len(), |i, o| value(&choice.gain[i][o]));
-        Theorem2::new(&continuous, &gain, lipschitz, &times(calls.every), &times(calls.period))
-            .map_err(|_| "its bounds are beyond all numbers".to_owned())
-    }
 }
 
 fn refuse_delays(plant: &Plant, found: &mut Vec<Diagnostic>) {
@@ -449,6 +299,29 @@ fn refuse_delays(plant: &Plant, found: &mut Vec<Diagnostic>) {
     }
 }
 
+/// Places of the states that are not measured.
+fn not_measured(plant: &Plant, found: &mut Vec<Diagnostic>) -> Result<Option<Vec<usize>>, Vec<Diagnostic>> {
+    let model = Model::new(plant, &[], Precision::bits(VERDICT_BITS))?;
+    let (n, p) = (plant.states.len(), plant.outputs.len());
+    let rest = if p <= n { Coordinates::pick(&model.c.to_f64(), n) } else { None };
+    match &rest {
+        None => {
+            let names: Vec<&str> = plant.outputs.iter().map(|o| o.label.name.as_str()).collect();
+            let message = format!("the outputs {} repeat each other", List(&names));
+            let error = Diagnostic::error(codes::METHOD_CANNOT, plant.span.clone(), message)
+                .label("this method takes each output as a state of its own");
+            found.push(error.help("leave out the outputs that others show, or use the method `window`"));
+        }
+        Some(rest) if rest.is_empty() => {
+            let error = Diagnostic::error(codes::METHOD_CANNOT, plant.span.clone(), "every state is measured")
+                .label("this method estimates the states that are not");
+            found.push(error.help("use the method `window`, which averages the noise of the outputs"));
+        }
+        Some(_) => {}
+    }
+    Ok(rest)
+}
+
 fn summary(plant: &Plant, calls: &Calls, form: Form) -> String {
     let h = plant.sample_time_s();
     let form = match form {
@@ -456,28 +329,6 @@ fn summary(plant: &Plant, calls: &Calls, form: Form) -> String {
         Form::Continuous => "in continuous time, integrated",
     };
     format!("two copies {form}, reset every {} calls ({} s at {h} s)", calls.period, trimmed(seconds(calls.period, h)))
-}
-
-fn theorem_notes(theorem: &Theorem2) -> Vec<String> {
-    let short = crate::describe::short;
-    let [f1, f2] = theorem.lipschitz;
-    let first = format!(
-        "Theorem 2: Lipschitz constants {} and {}, beta = {} 1/s, gamma(mu) = {} 1/s",
-        short(f1),
-        short(f2),
-        short(theorem.beta),
-        short(theorem.gamma)
-    );
-    let condition = short(theorem.condition);
-    let longest = short(theorem.longest_s);
-    let second = match theorem.rate {
-        Some(rate) => format!(
-            "  mu gamma(mu) = {condition} < 1: proved, at a rate of {} 1/s; so for mu < {longest} s",
-            short(rate)
-        ),
-        None => format!("  mu gamma(mu) = {condition}: too large by that factor; proved for mu < {longest} s"),
-    };
-    vec![first, second]
 }
 
 /// What reports show.

@@ -2,13 +2,13 @@
 
 #![allow(dead_code, reason = "each test uses a part of it")]
 
-use deadbeat_codegen::Generated;
 use deadbeat_codegen::design::{Settled, Shape};
 use deadbeat_codegen::impulsive::{Grid, Impulsive};
 use deadbeat_codegen::program::interp::Interpreter;
+use deadbeat_codegen::{Generated, Generator};
 use nalgebra::{DMatrix, DVector};
 
-use super::plant::{NOTHING_YET, Random, Run, UNIT, matrix};
+use super::plant::{NOTHING_YET, Random, Run, UNIT, designed, matrix};
 
 /// Sizes and kinds, which proptest shrinks; the numbers follow from a seed.
 pub type Sizes = (usize, usize, usize, bool, usize, u64);
@@ -203,38 +203,33 @@ pub fn rounding(generated: &Generated, run: &Run, step: &[f64]) -> Vec<f64> {
     total.iter().map(|bound| UNIT * bound).collect()
 }
 
-/// The errors x_r - z1 of runs that start with one unit each, a column per run: at the start and after a reset.
-pub fn errors_at_resets(linear: &Linear, generated: &Generated) -> [DMatrix<f64>; 2] {
-    let design = impulsive(generated);
+/// What one period makes of the error of z1: a column per state that is not measured, from a run in which the plant
+/// is at rest and z1 starts at 1 there. `keys` are more of the method's.
+pub fn period_map(linear: &Linear, keys: &str) -> Option<(Generated, DMatrix<f64>)> {
+    let text = linear.text(keys);
+    let generated = Generator::new(&text, "random.toml").design().ok()?;
+    let design = impulsive(&generated);
     let (n, rest) = (linear.a.nrows(), design.rest.len());
-    let back = dense(&design.back, n);
-    let into = back.clone().try_inverse().unwrap();
-    let mut errors = [DMatrix::zeros(rest, rest), DMatrix::zeros(rest, rest)];
-    for unit in 0..rest {
-        let mut start = DVector::zeros(n);
-        start[n - rest + unit] = 1.0;
-        let (run, _) = linear.run_from(&back * start, design.calls.period + 1, &mut Random::new(1));
-        let mut interpreter = Interpreter::new(&generated.program);
+    let mut map = DMatrix::zeros(rest, rest);
+    for (unit, place) in design.rest.iter().enumerate() {
+        let states: Vec<String> =
+            (0..n).map(|i| format!("x{} = {{ initial = {} }}", i + 1, u8::from(i == *place))).collect();
+        let started = designed(&text.replace("[observer", &format!("[states]\n{}\n[observer", states.join("\n"))));
+        let mut interpreter = Interpreter::new(&started.program);
         let mut estimate = vec![0.0; n];
-        for (call, (y, u)) in run.measurements.iter().zip(&run.inputs).enumerate() {
-            interpreter.step(y, u, &mut estimate);
-            if call == 0 || call == design.calls.period {
-                let state = DVector::from_vec(run.states[call].clone());
-                let cells = interpreter.cells();
-                for (i, place) in design.rest.iter().enumerate() {
-                    let name = format!("z1_{}", generated.plant.states[*place].label.name);
-                    let z1 = cells.iter().find(|(cell, _)| *cell == name).map_or(f64::NAN, |(_, held)| held[0]);
-                    errors[usize::from(call > 0)][(i, unit)] = (&into * &state)[n - rest + i] - z1;
-                }
-            }
+        for _ in 0..=design.calls.warm_up + design.calls.period {
+            interpreter.step(&vec![0.0; linear.c.nrows()], &[], &mut estimate);
+        }
+        let cells = interpreter.cells();
+        for (i, place) in design.rest.iter().enumerate() {
+            let name = format!("z1_x{}", place + 1);
+            map[(i, unit)] = cells.iter().find(|(cell, _)| *cell == name).map_or(f64::NAN, |(_, held)| held[0]);
         }
     }
-    errors
+    Some((generated, map))
 }
 
-/// The spectral radius of the matrix that takes one to the other, and the size of its entries.
-pub fn radius(before: &DMatrix<f64>, after: &DMatrix<f64>) -> (f64, f64) {
-    let map = after * before.clone().try_inverse().unwrap();
-    let size = map.abs().max().max(1.0);
-    (map.complex_eigenvalues().iter().map(|z| z.re.hypot(z.im)).fold(0.0, f64::max), size)
+/// The largest magnitude of an eigenvalue.
+pub fn radius(map: &DMatrix<f64>) -> f64 {
+    map.complex_eigenvalues().iter().map(|z| z.re.hypot(z.im)).fold(0.0, f64::max)
 }

@@ -187,9 +187,9 @@ impl<'a> Lowering<'a> {
         // A value that runs belongs to the sample; one of an interval alone to the interval.
         let of_sample = !known.jumps && known.run != Run::Held;
         if of_sample {
-            signals.now.push(good)
+            signals.now.push(good);
         } else {
-            signals.since.push(good)
+            signals.since.push(good);
         }
         self.builder.select(good, value, last)
     }
