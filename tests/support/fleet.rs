@@ -393,7 +393,10 @@ fn c_abuse(subject: &Subject, phase: usize) -> String {
     };
     let fill = each(subject, |of, field, span| {
         let line = |step: &str| {
-            format!("{of}.{} = any_{scalar}(&seed, {step} / {phase}, {:?}, {:?});\n", field.name, span.centre, span.amplitude)
+            format!(
+                "{of}.{} = any_{scalar}(&seed, {step} / {phase}, {:?}, {:?});\n",
+                field.name, span.centre, span.amplitude
+            )
         };
         if of == "measurements" {
             format!(
