@@ -179,8 +179,11 @@ impl Keys {
 /// How nonlinear terms run between samples, with the key's place.
 pub(super) fn read_hold(table: &mut Table) -> (Between, Range<usize>) {
     let place = table.key_span("hold");
-    let words = [("first", Between::Lines), ("third", Between::Cubics), ("zero", Between::Steps)];
-    (table.choice("hold", &words, Between::Lines), place)
+    // Known, to say what is wrong with it, but not offered.
+    if table.has_text("hold") && table.text("hold").is_some_and(|text| text.value == "zero") {
+        return (Between::Steps, place);
+    }
+    (table.choice("hold", &[("first", Between::Lines), ("third", Between::Cubics)], Between::Lines), place)
 }
 
 /// Refuses to keep the last value inside nonlinear terms.
