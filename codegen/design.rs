@@ -155,7 +155,7 @@ pub struct Design {
 #[derive(Clone, Debug)]
 pub enum Shape {
     /// A functional over the last N samples.
-    Window(Functional),
+    Window(Box<Functional>),
     /// A regression over the last N samples.
     Regression(Box<Regression>),
     /// Two copies, reset every N calls.

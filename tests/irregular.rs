@@ -38,7 +38,7 @@ fn thin(run: &mut Run, most: usize, random: &mut Random) {
         if call == next {
             next += 1 + random.below(most);
         } else {
-            row.iter_mut().for_each(|sample| *sample = f64::NAN);
+            row.fill(f64::NAN);
         }
     }
 }

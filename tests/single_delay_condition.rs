@@ -47,14 +47,14 @@ scalar = 'f64'
 fn noted(generated: &Generated, words: &str) -> f64 {
     let notes = generated.design.notes.join("; ");
     let after = notes.split_once(words).unwrap_or_else(|| panic!("no `{words}` in: {notes}")).1;
-    after.split(|c: char| c == ' ' || c == ',').find(|word| !word.is_empty()).unwrap().parse().unwrap()
+    after.split([' ', ',']).find(|word| !word.is_empty()).unwrap().parse().unwrap()
 }
 
 fn norm(m: &DMatrix<f64>) -> f64 {
     m.clone().svd(false, false).singular_values.max()
 }
 
-/// mu by (38)-(41) with `q1 + |R|` and varsigma_3's `e^{ks}`, from the golden constants and lambda by (4).
+/// mu by (38)-(41) with `q1 + |R|` and `varsigma_3`'s `e^{ks}`, from the golden constants and lambda by (4).
 fn mu(k: f64) -> f64 {
     const TAU: f64 = 0.1;
     const PANELS: usize = 4_000;
@@ -72,7 +72,7 @@ fn mu(k: f64) -> f64 {
     let trapezoid = |weight: &dyn Fn(f64) -> f64| -> f64 {
         let d = TAU / PANELS as f64;
         let at = |j: usize| lambda(-d * j as f64) * weight(-d * j as f64);
-        d * ((at(0) + at(PANELS)) / 2.0 + (1..PANELS).map(at).sum::<f64>())
+        d * (f64::midpoint(at(0), at(PANELS)) + (1..PANELS).map(at).sum::<f64>())
     };
     let s1 = s_inverse * growth / (k * k) * trapezoid(&|s| (k * s).exp() - s * k - 1.0);
     let s2 = s_inverse / k * trapezoid(&|s| 1.0 - (k * s).exp());

@@ -175,7 +175,7 @@ fn functional(
         certificate: certify(plant, &functional, &exact),
         numerics: Numerics { condition: frame.condition, ..numerics },
         warnings: time_warning(plant).into_iter().chain(resolution_warnings(plant)).collect(),
-        shape: Shape::Window(functional),
+        shape: Shape::Window(Box::new(functional)),
     }
 }
 

@@ -13,10 +13,10 @@
 //! **Conditions.** (A, C) observable, C of full rank, outputs without delay; nonlinear terms in measured states,
 //! inputs and time only.
 //!
-//! **Corrected.** (7)'s psi_2 is stable only if 2k > -min Re eig(A1), which the paper does not say: k = 75 on its
+//! **Corrected.** (7)'s `psi_2` is stable only if 2k > -min Re eig(A1), which the paper does not say: k = 75 on its
 //! motor has the eigenvalue +47.2 1/s; the recursive realisation refuses it, the sum over the window needs no such
 //! condition, nor any inverse of `A1 + kI`. (13) uses `xi_2(t)` where only Y is known: `R (Y - xihat_2)`, so that
-//! (15) misses `|R| |delta_2|`, and (41) needs `q1 + |R|`. (39)'s second line has `A_2 xihat_1`. (38)'s varsigma_3 has
+//! (15) misses `|R| |delta_2|`, and (41) needs `q1 + |R|`. (39)'s second line has `A_2 xihat_1`. (38)'s `varsigma_3` has
 //! `e^{ks}`. The paper's bounds are 1e9 times too large to be of use; the certificate sums the weights themselves.
 
 mod gaps;
@@ -145,7 +145,11 @@ impl Keyed for Keys {
             settle_runs(plant, &plan.signals, &vec![0; plant.outputs.len()], steps, bias, &run)?;
         numerics.condition = condition;
         let mut warnings: Vec<Diagnostic> = time_warning(plant).into_iter().chain(resolution_warnings(plant)).collect();
-        let mut notes = plan.notes(self, numerics.unbiasedness);
+        let mut notes = Vec::new();
+        if self.form.0 {
+            let note = "integrals from samples leave this share of the state at the window's start";
+            notes.push(format!("{note}: {}", short(numerics.unbiasedness)));
+        }
         let convergence = self.irregular(plant, &plan, &mut functional, &exact, &mut notes, &mut warnings)?;
         let innovation = ByInnovation(|model: &Model, steps: usize| plan.innovation_at(plant, model, steps));
         let form: Result<&dyn realize::Form, _> =
@@ -171,7 +175,7 @@ impl Keyed for Keys {
             certificate,
             numerics,
             warnings,
-            shape: Shape::Window(functional),
+            shape: Shape::Window(Box::new(functional)),
         })
     }
 }

@@ -135,7 +135,7 @@ impl Keyed for Keys {
             certificate,
             numerics,
             warnings: time_warning(plant).into_iter().chain(resolution_warnings(plant)).collect(),
-            shape: Shape::Window(functional),
+            shape: Shape::Window(Box::new(functional)),
         })
     }
 }

@@ -9,7 +9,7 @@ use crate::real::{Matrix, Singular, inverse};
 /// The change of coordinates for a C of full rank.
 #[derive(Clone, Debug)]
 pub struct Coordinates {
-    /// Places of the plant's states that make up x_r.
+    /// Places of the plant's states that make up `x_r`.
     pub rest: Vec<usize>,
     /// T, n x n: C above the picked states.
     pub into: Matrix,
@@ -31,7 +31,7 @@ pub struct Blocks {
 }
 
 impl Coordinates {
-    /// The states that make up x_r, decided in doubles, so that every precision decides alike; `None` when the
+    /// The states that make up `x_r`, decided in doubles, so that every precision decides alike; `None` when the
     /// rank of C is not full.
     pub fn pick(c: &[Vec<f64>], states: usize) -> Option<Vec<usize>> {
         // What is below this of the largest entry of its row is a rounding error of the elimination.

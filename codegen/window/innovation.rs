@@ -8,8 +8,8 @@
 //! The stateless sum over the window ([`Innovation::weights`]), the recursive filter with one delayed
 //! innovation, blocks, and copies that are restarted are all realisations of these six matrices.
 //! Least squares (002 (9), (19)): the copy is the plant itself, `F = Phi^-T`. Single delay (000 (7), (13)):
-//! the copy is driven by y, and F has 000's psi_1 and psi_2 as modes. The filter is written such that no
-//! inverse of `Phi_rr - a I` is needed: its first half is psi_1 - psi_2.
+//! the copy is driven by y, and F has 000's `psi_1` and `psi_2` as modes. The filter is written such that no
+//! inverse of `Phi_rr - a I` is needed: its first half is `psi_1` - `psi_2`.
 
 use crate::real::{Matrix, Real, Singular, inverse};
 
@@ -43,7 +43,7 @@ pub struct SingleDelay {
     pub n: Matrix,
     /// R = S^-1 N.
     pub r: Matrix,
-    /// Phi_rr.
+    /// `Phi_rr`.
     pub rr: Matrix,
 }
 

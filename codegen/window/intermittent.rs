@@ -2,7 +2,7 @@
 //!
 //! Between measurements omega, the model's prediction, stands in for the output. Two questions decide whether the
 //! error dies out. The paper's condition `T mu < 1` (000 (40)-(41)) is sufficient; its `q1` lacks the term of the
-//! newest innovation, so that `q1 + |R|` stands here, and in varsigma_3 `e^{ks}` where (38) prints `e^{-ks}`. It is
+//! newest innovation, so that `q1 + |R|` stands here, and in `varsigma_3` `e^{ks}` where (38) prints `e^{-ks}`. It is
 //! very conservative. The linear part's error is itself a linear recursion: with a measurement every g samples
 //! its map over g samples is a matrix, and its spectral radius predicts what happens.
 
@@ -185,7 +185,9 @@ impl Lifted {
             if size == 0.0 {
                 return Self { radius: 0.0, periods: periods.or(Some(step)) };
             }
-            window.iter_mut().for_each(|e| *e /= size);
+            for error in &mut window {
+                *error /= size;
+            }
             left += deadbeat_math::log_f64(size);
             if step == half {
                 warm = left;

@@ -166,7 +166,7 @@ pub fn design(plant: &Plant, signals: &[Signal], steps: usize, most: usize) -> R
     // Below the limit a pivot is rounding; irregular patterns are a little worse than the worst regular one.
     let limit = 64.0 * super::count(plant.states.len()) * unit(plant.scalar);
     let threshold = limit.max(pivot / 64.0);
-    Ok(Irregular { pivot, threshold, trust, ..irregular })
+    Ok(Irregular { trust, pivot, threshold, ..irregular })
 }
 
 /// R of `W O = Q R`, upper triangular, by Cholesky's factorisation of the Gramian.
@@ -244,11 +244,10 @@ fn smallest_pivot(rows: &[Vec<Vec<Settled>>], most: usize) -> f64 {
             if pivot <= 0.0 {
                 return 0.0;
             }
-            for i in k + 1..n {
-                let factor = normal[i][k] / pivot;
-                for j in k..n {
-                    normal[i][j] -= factor * normal[k][j];
-                }
+            let row = normal[k].clone();
+            for below in &mut normal[k + 1..] {
+                let factor = below[k] / pivot;
+                below.iter_mut().zip(&row).for_each(|(x, above)| *x -= factor * above);
             }
         }
     }

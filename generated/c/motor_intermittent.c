@@ -706,7 +706,7 @@ static void motor_intermittent_part_1(motor_intermittent_state *state, const mot
     const uint32_t t48 = state->coasting;
     const uint32_t t49 = (t48 > 0U) ? (t48 - 1U) : 0U;
     const uint32_t t50 = t8 ? t49 : 100U;
-    const uint32_t t52 = t41 ? t50 : 101U;
+    const uint32_t t52 = t41 ? t50 : 429U;
     state->coasting = t52;
 
     /* into the window */

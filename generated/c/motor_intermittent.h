@@ -25,7 +25,7 @@
  *   noise gain from y, worst case  1.41   60.46  11.22
  *   noise gain from y, white       1.203  31.36  5.817
  *   gain from w, worst case        -      -      -
- *   no error bound: the slope of a nonlinear term is not bounded over the declared ranges
+ *   no error bound: what enters between measurements is carried on
  *   on top: nonlinear terms are straight lines between samples, second order in the sample time
  *
  * Cost       710 multiplications, 715 additions, 1 sin a call, the same for every call

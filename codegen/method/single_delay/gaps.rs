@@ -39,7 +39,7 @@ impl Keys {
         let (gap, radius) = slowest.map_or((most, f64::NAN), |(gap, lifted)| (gap, lifted.radius));
         let periods = slowest.and_then(|(_, lifted)| lifted.periods);
         let Some(periods) = periods.filter(|_| radius < 1.0) else {
-            return Err(vec![self.diverges(intermittent, plant, radius, gap)]);
+            return Err(vec![intermittent.diverges(plant, radius, gap)]);
         };
         notes.push(format!(
             "linear part: with a measurement every {gap} samples the error's spectral radius is {} a period",
@@ -48,23 +48,12 @@ impl Keys {
         let verdict = self.proof(plant, plan, intermittent, radius, notes);
         if let Err(unproved) = verdict {
             if !self.accept {
-                return Err(vec![unproved]);
+                return Err(vec![*unproved]);
             }
-            warnings.push(Diagnostic { level: Level::Warning, ..unproved });
+            warnings.push(Diagnostic { level: Level::Warning, ..*unproved });
         }
         functional.gaps = Some(Gaps { most, settled: plan.steps + 1 + periods * gap });
         Ok(Convergence::Geometric { radius, period: gap })
-    }
-
-    fn diverges(&self, intermittent: &Intermittent, plant: &Plant, radius: f64, gap: usize) -> Diagnostic {
-        let message = "with measurements so far apart the error does not die out";
-        let label = format!("spectral radius {} over {gap} samples; it must be below 1", short(radius));
-        Diagnostic::error(codes::METHOD_CANNOT, intermittent.max.span(), message).label(label).measured(radius).help(
-            format!(
-                "measure more often than every {} s, a smaller `k`, or a longer window",
-                show(seconds(gap, plant.sample_time_s()))
-            ),
-        )
     }
 
     /// 000 Theorem 2's condition; an error that says by what factor it does not hold.
@@ -75,18 +64,20 @@ impl Keys {
         intermittent: &Intermittent,
         radius: f64,
         notes: &mut Vec<String>,
-    ) -> Result<(), Diagnostic> {
+    ) -> Result<(), Box<Diagnostic>> {
         let accept =
             format!("`unproved = \"accept\"` relies on the linear part, whose spectral radius is {}", short(radius));
         let unproved = |message: String| {
-            Diagnostic::error(codes::METHOD_CANNOT, intermittent.place.clone(), message).help(accept.clone())
+            Diagnostic::error(codes::UNPROVED, intermittent.place.clone(), message).help(accept.clone())
         };
         let condition = self.condition(plant, plan, intermittent);
         let Some(condition) = condition else {
             let why = "000 Theorem 2 says nothing here: it needs continuous time, k > 0 for which `A1 + k I` can be \
                        inverted, and bounded slopes over declared ranges";
             notes.push(why.into());
-            return Err(unproved("convergence at irregular times is not proved for this plant".into()).label(why));
+            return Err(Box::new(
+                unproved("convergence at irregular times is not proved for this plant".into()).label(why),
+            ));
         };
         if let Some(rate) = condition.rate {
             notes.push(format!("000 Theorem 2 holds: T mu = {}, rate {} 1/s", short(condition.product), short(rate)));
@@ -95,10 +86,9 @@ impl Keys {
         let factor = short(condition.product);
         notes.push(format!("000 Theorem 2 does not hold: T mu = {factor}, mu = {} 1/s", short(condition.mu)));
         let message = "the condition of 000 Theorem 2 for irregular measurements does not hold";
-        Err(unproved(message.into())
-            .label(format!("T mu = {factor}; it must be below 1"))
-            .measured(condition.product)
-            .help(format!("{accept}; or at most {} s between measurements", short(1.0 / condition.mu))))
+        let unproved = unproved(message.into()).label(format!("T mu = {factor}; it must be below 1"));
+        let help = format!("{accept}; or at most {} s between measurements", short(1.0 / condition.mu));
+        Err(Box::new(unproved.measured(condition.product).help(help)))
     }
 
     fn condition(&self, plant: &Plant, plan: &Plan, intermittent: &Intermittent) -> Option<Condition> {
@@ -162,6 +152,14 @@ pub(super) fn with_gaps(
 }
 
 impl Intermittent {
+    fn diverges(&self, plant: &Plant, radius: f64, gap: usize) -> Diagnostic {
+        let message = "with measurements so far apart the error does not die out";
+        let label = format!("spectral radius {} over {gap} samples; it must be below 1", short(radius));
+        let often = show(seconds(gap, plant.sample_time_s()));
+        let help = format!("measure more often than every {often} s, a smaller `k`, or a longer window");
+        Diagnostic::error(codes::METHOD_CANNOT, self.max.span(), message).label(label).measured(radius).help(help)
+    }
+
     /// The gaps in samples; both times must be whole samples, the first not the longer.
     fn steps(&self, plant: &Plant) -> Result<RangeInclusive<usize>, Vec<Diagnostic>> {
         let mut found = Vec::new();
@@ -264,7 +262,7 @@ impl Intermittent {
             certificate,
             numerics,
             warnings: time_warning(plant).into_iter().chain(resolution_warnings(plant)).collect(),
-            shape: Shape::Window(functional),
+            shape: Shape::Window(Box::new(functional)),
         })
     }
 }

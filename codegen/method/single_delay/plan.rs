@@ -3,7 +3,6 @@
 use std::ops::Range;
 
 use super::Keys;
-use crate::describe::short;
 use crate::design::NamedMatrix;
 use crate::diagnostic::{Diagnostic, codes};
 use crate::expr::Constant;
@@ -69,14 +68,6 @@ impl Plan {
     /// The paper's integrals.
     pub(super) fn continuous(&self, keys: &Keys, plant: &Plant, p: Precision) -> Result<Exact, Vec<Diagnostic>> {
         self.form(keys).exact(plant, &self.signals, p)
-    }
-
-    pub(super) fn notes(&self, keys: &Keys, unbiasedness: f64) -> Vec<String> {
-        if keys.form.0 {
-            let note = "integrals from samples leave this share of the state at the window's start";
-            return vec![format!("{note}: {}", short(unbiasedness))];
-        }
-        Vec::new()
     }
 
     /// S, N, R and what belongs to them.

@@ -134,7 +134,9 @@ fn largest_gain(plant: &Plant, functional: &Functional) -> f64 {
     }
     if let Some(irregular) = &functional.irregular {
         let largest = irregular.largest_gain();
-        states.iter_mut().for_each(|gain| *gain = gain.max(largest));
+        for gain in &mut states {
+            *gain = gain.max(largest);
+        }
     }
     let prediction = |p: &Prediction| -> f64 {
         let own: f64 = p.states.iter().zip(&states).map(|(weight, gain)| size(weight) * gain).sum();

@@ -41,8 +41,8 @@ pub(crate) fn solve(b: &mut Builder, upper: &[Value], right: &[Value], threshold
     }
     for k in (0..n).rev() {
         let mut sum = z[k];
-        for j in k + 1..n {
-            let product = b.mul(at(&g, k, j), z[j]);
+        for (j, known) in z.iter().enumerate().skip(k + 1) {
+            let product = b.mul(at(&g, k, j), *known);
             sum = b.sub(sum, product);
         }
         z[k] = b.div(sum, pivots[k]);
