@@ -770,9 +770,9 @@ fn line_10_compiled_code_takes_any_bits() {
     });
 }
 
-/// Steps of each phase: enough to fill the window twice, and to converge.
+/// Steps of each phase: enough to converge, twice.
 fn phase(subject: &Subject) -> usize {
-    PHASE.max(2 * subject.generated.design.window_steps + 2).max(subject.window() + 2)
+    PHASE.max(2 * subject.window() + 2)
 }
 
 /// Random bits, odd numbers, plausible numbers and nothing at all, by turns.
