@@ -58,7 +58,8 @@ fn order(name: &str, observer: &str, window_s: f64, expected: f64) {
     for state in 0..errors[0].len() {
         let of: Vec<f64> = errors.iter().map(|e| e[state]).collect();
         if observer.contains("single-delay") && state < truth(name).unwrap().delays.len() {
-            assert!(of.iter().all(|e| *e == 0.0), "what is measured is passed through: {of:?}");
+            // To the bit in one sum; in blocks, chosen for longer windows, after a few roundings of some radians.
+            assert!(of.iter().all(|e| *e <= 4e-15), "what is measured is passed through: {of:?}");
             continue;
         }
         let orders: Vec<f64> = of.windows(2).map(|pair| (pair[0] / pair[1]).log2()).collect();

@@ -4,7 +4,7 @@
 //! parameter or a function. What stands at file scope is the generator's, and carries the
 //! specification's name in C: `pendulum_step`, `PENDULUM_WINDOW`.
 
-use crate::program::{Program, Table, TableId, Value};
+use crate::program::{Program, Statement, Table, TableId, Value};
 
 /// The names of one Program's output.
 pub(super) struct Names {
@@ -13,6 +13,8 @@ pub(super) struct Names {
     /// The same in upper case.
     pub upper: String,
     tables: Vec<String>,
+    /// Digits of the largest value's number, where it has more than two.
+    digits: usize,
 }
 
 /// Names at file scope that are the generator's, without the prefix that they have in C.
@@ -29,7 +31,9 @@ impl Names {
             let free = candidates.find(is_free);
             tables.push(free.unwrap_or_else(|| unreachable!("there are names without end")));
         }
-        Self { lower: program.name.clone(), upper: program.name.to_ascii_uppercase(), tables }
+        let largest = largest(&program.body).to_string().len();
+        let digits = if largest > 2 { largest } else { 0 };
+        Self { lower: program.name.clone(), upper: program.name.to_ascii_uppercase(), tables, digits }
     }
 
     /// A table's name, the same in both languages but for the prefix.
@@ -40,6 +44,11 @@ impl Names {
     /// A table's name with its prefix.
     pub fn prefixed_table(&self, table: TableId) -> String {
         format!("{}_{}", self.upper, self.table(table))
+    }
+
+    /// The name of a temporary in Rust, all of one length: `t46` and `t146` would be too similar for clippy.
+    pub fn temporary(&self, value: Value) -> String {
+        format!("t{:0digits$}", value.0, digits = self.digits)
     }
 
     /// A fragment of the runtime's C source with this prefix in place of its own.
@@ -56,7 +65,19 @@ fn is_own(name: &str) -> bool {
     OWN.contains(&name) || deadbeat_math::c::FRAGMENTS.iter().any(|it| in_runtime(it.source))
 }
 
-/// The name of a temporary.
+/// The largest number of a value.
+fn largest(body: &[Statement]) -> u32 {
+    let of = |statement: &Statement| match statement {
+        Statement::Let { value, .. } => value.0,
+        Statement::Loop(inner) => {
+            inner.carried.iter().map(|carried| carried.value.0).fold(largest(&inner.body), u32::max)
+        }
+        _ => 0,
+    };
+    body.iter().map(of).max().unwrap_or(0)
+}
+
+/// The name of a temporary in C.
 pub(super) fn temporary(value: Value) -> String {
     value.to_string()
 }

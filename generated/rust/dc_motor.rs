@@ -511,10 +511,10 @@ static WINDOW: [[f32; 9]; 100] = [
 
 /// What one part of a step hands to the next.
 struct Work {
-    t11: usize,
-    t21: f32,
-    t32: f32,
-    t39: usize,
+    t011: usize,
+    t021: f32,
+    t032: f32,
+    t039: usize,
     t123: f32,
     t124: f32,
     t125: f32,
@@ -524,10 +524,10 @@ struct Work {
 impl Work {
     /// Before the first part.
     const EMPTY: Self = Self {
-        t11: 0,
-        t21: 0.0,
-        t32: 0.0,
-        t39: 0,
+        t011: 0,
+        t021: 0.0,
+        t032: 0.0,
+        t039: 0,
         t123: 0.0,
         t124: 0.0,
         t125: 0.0,
@@ -567,148 +567,148 @@ impl Observer {
     /// Part 1 of a step.
     fn part_1(&mut self, measurements: Measurements, inputs: Inputs, work: &mut Work) {
         // samples: outside its range, infinite or NaN means missing
-        let t0 = self.newest;
-        let t1 = t0.min(100);
-        let t2 = self.count;
-        let t4 = 100 < t2;
-        let t5 = measurements.y;
-        let t6 = (-1e35..=1e35).contains(&t5);
-        let t7 = inputs.u;
-        let t8 = (-1e35..=1e35).contains(&t7);
-        let t9 = self.u[t1];
-        let t10 = if t8 { t7 } else { t9 };
+        let t000 = self.newest;
+        let t001 = t000.min(100);
+        let t002 = self.count;
+        let t004 = 100 < t002;
+        let t005 = measurements.y;
+        let t006 = (-1e35..=1e35).contains(&t005);
+        let t007 = inputs.u;
+        let t008 = (-1e35..=1e35).contains(&t007);
+        let t009 = self.u[t001];
+        let t010 = if t008 { t007 } else { t009 };
 
         // prediction, for a sample that is missing
-        work.t11 = if t1 < 100 { t1 + 1 } else { 0 };
-        let t12 = self.ahead_y;
-        let t14 = 9.516_694e-8 * t10;
-        let t15 = t12 + t14;
-        let t16 = self.y[t1];
-        let t17 = (-1e35..=1e35).contains(&t15);
-        let t18 = t4 && t17;
-        let t19 = if t18 { t15 } else { t16 };
-        let t20 = if t6 { t5 } else { t19 };
-        work.t21 = ::deadbeat::math::sin_f32(t20);
-        let t22 = self.sin_q[t1];
-        let t23 = work.t21 - t22;
-        let t25 = -5.831_721_4e-6 * t23;
-        let t26 = t15 + t25;
-        let t27 = (-1e35..=1e35).contains(&t26);
-        let t28 = t4 && t27;
-        let t29 = if t28 { t26 } else { t16 };
-        let t30 = t6 || t28;
-        let t31 = !t30;
-        work.t32 = if t6 { t5 } else { t29 };
+        work.t011 = if t001 < 100 { t001 + 1 } else { 0 };
+        let t012 = self.ahead_y;
+        let t014 = 9.516_694e-8 * t010;
+        let t015 = t012 + t014;
+        let t016 = self.y[t001];
+        let t017 = (-1e35..=1e35).contains(&t015);
+        let t018 = t004 && t017;
+        let t019 = if t018 { t015 } else { t016 };
+        let t020 = if t006 { t005 } else { t019 };
+        work.t021 = ::deadbeat::math::sin_f32(t020);
+        let t022 = self.sin_q[t001];
+        let t023 = work.t021 - t022;
+        let t025 = -5.831_721_4e-6 * t023;
+        let t026 = t015 + t025;
+        let t027 = (-1e35..=1e35).contains(&t026);
+        let t028 = t004 && t027;
+        let t029 = if t028 { t026 } else { t016 };
+        let t030 = t006 || t028;
+        let t031 = !t030;
+        work.t032 = if t006 { t005 } else { t029 };
 
         // how much of the window is good
-        let t35 = if t2 < 101 { t2 + 1 } else { 101 };
-        let t36 = if t31 { 0 } else { t35 };
-        let t37 = if t8 { t35 } else { 1 };
-        let t38 = if t6 { t37 } else { 0 };
-        work.t39 = if t4 { t36 } else { t38 };
-        self.count = work.t39;
-        let t40 = self.coasting;
-        let t41 = t40.saturating_sub(1);
-        let t42 = if t8 { t41 } else { 100 };
-        let t44 = if t6 { t42 } else { 101 };
-        self.coasting = t44;
+        let t035 = if t002 < 101 { t002 + 1 } else { 101 };
+        let t036 = if t031 { 0 } else { t035 };
+        let t037 = if t008 { t035 } else { 1 };
+        let t038 = if t006 { t037 } else { 0 };
+        work.t039 = if t004 { t036 } else { t038 };
+        self.count = work.t039;
+        let t040 = self.coasting;
+        let t041 = t040.saturating_sub(1);
+        let t042 = if t008 { t041 } else { 100 };
+        let t044 = if t006 { t042 } else { 101 };
+        self.coasting = t044;
 
         // into the window
-        self.newest = work.t11;
-        self.y[work.t11.min(100)] = work.t32;
-        self.u[work.t11.min(100)] = t10;
-        self.sin_q[work.t11.min(100)] = work.t21;
+        self.newest = work.t011;
+        self.y[work.t011.min(100)] = work.t032;
+        self.u[work.t011.min(100)] = t010;
+        self.sin_q[work.t011.min(100)] = work.t021;
     }
 
     /// Part 2 of a step.
     fn part_2(&mut self, work: &mut Work) {
         // the sums over the window, newest sample first
-        let mut t46: f32 = 0.0;
-        let mut t47: f32 = 0.0;
-        let mut t48: f32 = 0.0;
-        let mut t49: f32 = 0.0;
-        let mut t50: f32 = 0.0;
-        let mut t51: f32 = 0.0;
-        let mut t52: f32 = 0.0;
-        let mut t53: f32 = 0.0;
-        let mut t54: f32 = 0.0;
-        let mut t55: usize = work.t11;
+        let mut t046: f32 = 0.0;
+        let mut t047: f32 = 0.0;
+        let mut t048: f32 = 0.0;
+        let mut t049: f32 = 0.0;
+        let mut t050: f32 = 0.0;
+        let mut t051: f32 = 0.0;
+        let mut t052: f32 = 0.0;
+        let mut t053: f32 = 0.0;
+        let mut t054: f32 = 0.0;
+        let mut t055: usize = work.t011;
         for gains in &WINDOW {
-            let t56 = self.y[t55.min(100)];
-            let t57 = gains[0];
-            let t58 = t57 * t56;
-            let t59 = t46 + t58;
-            let t60 = gains[1];
-            let t61 = t60 * t56;
-            let t62 = t49 + t61;
-            let t63 = gains[2];
-            let t64 = t63 * t56;
-            let t65 = t52 + t64;
-            let t66 = self.u[t55.min(100)];
-            let t67 = gains[3];
-            let t68 = t67 * t66;
-            let t69 = t47 + t68;
-            let t70 = gains[4];
-            let t71 = t70 * t66;
-            let t72 = t50 + t71;
-            let t73 = gains[5];
-            let t74 = t73 * t66;
-            let t75 = t53 + t74;
-            let t76 = self.sin_q[t55.min(100)];
-            let t77 = gains[6];
-            let t78 = t77 * t76;
-            let t79 = t48 + t78;
-            let t80 = gains[7];
-            let t81 = t80 * t76;
-            let t82 = t51 + t81;
-            let t83 = gains[8];
-            let t84 = t83 * t76;
-            let t85 = t54 + t84;
-            let t86 = t55.wrapping_sub(1).min(100);
-            t46 = t59;
-            t47 = t69;
-            t48 = t79;
-            t49 = t62;
-            t50 = t72;
-            t51 = t82;
-            t52 = t65;
-            t53 = t75;
-            t54 = t85;
-            t55 = t86;
+            let t056 = self.y[t055.min(100)];
+            let t057 = gains[0];
+            let t058 = t057 * t056;
+            let t059 = t046 + t058;
+            let t060 = gains[1];
+            let t061 = t060 * t056;
+            let t062 = t049 + t061;
+            let t063 = gains[2];
+            let t064 = t063 * t056;
+            let t065 = t052 + t064;
+            let t066 = self.u[t055.min(100)];
+            let t067 = gains[3];
+            let t068 = t067 * t066;
+            let t069 = t047 + t068;
+            let t070 = gains[4];
+            let t071 = t070 * t066;
+            let t072 = t050 + t071;
+            let t073 = gains[5];
+            let t074 = t073 * t066;
+            let t075 = t053 + t074;
+            let t076 = self.sin_q[t055.min(100)];
+            let t077 = gains[6];
+            let t078 = t077 * t076;
+            let t079 = t048 + t078;
+            let t080 = gains[7];
+            let t081 = t080 * t076;
+            let t082 = t051 + t081;
+            let t083 = gains[8];
+            let t084 = t083 * t076;
+            let t085 = t054 + t084;
+            let t086 = t055.wrapping_sub(1).min(100);
+            t046 = t059;
+            t047 = t069;
+            t048 = t079;
+            t049 = t062;
+            t050 = t072;
+            t051 = t082;
+            t052 = t065;
+            t053 = t075;
+            t054 = t085;
+            t055 = t086;
         }
-        let t87 = self.y[t55.min(100)];
-        let t89 = 0.017_414_83 * t87;
-        let t90 = t46 + t89;
-        let t92 = 0.523_932_6 * t87;
-        let t93 = t49 + t92;
-        let t95 = -0.097_191_17 * t87;
-        let t96 = t52 + t95;
-        let t97 = self.sin_q[t55.min(100)];
-        let t99 = 1.016_090_4e-7 * t97;
-        let t100 = t48 + t99;
-        let t102 = 3.056_951_3e-6 * t97;
-        let t103 = t51 + t102;
-        let t105 = -5.670_742_7e-7 * t97;
-        let t106 = t54 + t105;
-        let t107 = t90 + t47;
+        let t087 = self.y[t055.min(100)];
+        let t089 = 0.017_414_83 * t087;
+        let t090 = t046 + t089;
+        let t092 = 0.523_932_6 * t087;
+        let t093 = t049 + t092;
+        let t095 = -0.097_191_17 * t087;
+        let t096 = t052 + t095;
+        let t097 = self.sin_q[t055.min(100)];
+        let t099 = 1.016_090_4e-7 * t097;
+        let t100 = t048 + t099;
+        let t102 = 3.056_951_3e-6 * t097;
+        let t103 = t051 + t102;
+        let t105 = -5.670_742_7e-7 * t097;
+        let t106 = t054 + t105;
+        let t107 = t090 + t047;
         let t108 = t107 + t100;
-        let t109 = t93 + t50;
+        let t109 = t093 + t050;
         let t110 = t109 + t103;
-        let t111 = t96 + t53;
+        let t111 = t096 + t053;
         let t112 = t111 + t106;
 
         // the next measurement, as far as it is known
         let t114 = 0.000_999_413_5 * t110;
         let t116 = 7.021_338e-6 * t112;
-        let t118 = -1.749_340_3e-5 * work.t21;
+        let t118 = -1.749_340_3e-5 * work.t021;
         let t119 = t108 + t114;
         let t120 = t119 + t116;
         let t121 = t120 + t118;
         self.ahead_y = t121;
 
         // the estimate; until the window is full, the start
-        let t122 = 100 < work.t39;
-        work.t123 = if t122 { t108 } else { work.t32 };
+        let t122 = 100 < work.t039;
+        work.t123 = if t122 { t108 } else { work.t032 };
         work.t124 = if t122 { t110 } else { 0.0 };
         work.t125 = if t122 { t112 } else { 0.0 };
         let t126 = self.coasting;

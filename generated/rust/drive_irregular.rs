@@ -211,31 +211,31 @@ static ROWS: [[f32; 3]; 100] = [
 
 /// What one part of a step hands to the next.
 struct Work {
-    t7: f32,
-    t8: usize,
-    t12: f32,
-    t26: usize,
-    t37: f32,
-    t39: f32,
-    t41: f32,
-    t43: f32,
-    t45: f32,
-    t47: f32,
-    t49: f32,
-    t51: f32,
-    t53: f32,
-    t54: f32,
-    t55: f32,
-    t56: f32,
-    t57: f32,
-    t58: f32,
-    t59: f32,
-    t60: f32,
-    t61: f32,
-    t62: f32,
-    t63: f32,
-    t64: f32,
-    t65: f32,
+    t007: f32,
+    t008: usize,
+    t012: f32,
+    t026: usize,
+    t037: f32,
+    t039: f32,
+    t041: f32,
+    t043: f32,
+    t045: f32,
+    t047: f32,
+    t049: f32,
+    t051: f32,
+    t053: f32,
+    t054: f32,
+    t055: f32,
+    t056: f32,
+    t057: f32,
+    t058: f32,
+    t059: f32,
+    t060: f32,
+    t061: f32,
+    t062: f32,
+    t063: f32,
+    t064: f32,
+    t065: f32,
     t163: f32,
     t169: f32,
     t175: f32,
@@ -250,31 +250,31 @@ struct Work {
 impl Work {
     /// Before the first part.
     const EMPTY: Self = Self {
-        t7: 0.0,
-        t8: 0,
-        t12: 0.0,
-        t26: 0,
-        t37: 0.0,
-        t39: 0.0,
-        t41: 0.0,
-        t43: 0.0,
-        t45: 0.0,
-        t47: 0.0,
-        t49: 0.0,
-        t51: 0.0,
-        t53: 0.0,
-        t54: 0.0,
-        t55: 0.0,
-        t56: 0.0,
-        t57: 0.0,
-        t58: 0.0,
-        t59: 0.0,
-        t60: 0.0,
-        t61: 0.0,
-        t62: 0.0,
-        t63: 0.0,
-        t64: 0.0,
-        t65: 0.0,
+        t007: 0.0,
+        t008: 0,
+        t012: 0.0,
+        t026: 0,
+        t037: 0.0,
+        t039: 0.0,
+        t041: 0.0,
+        t043: 0.0,
+        t045: 0.0,
+        t047: 0.0,
+        t049: 0.0,
+        t051: 0.0,
+        t053: 0.0,
+        t054: 0.0,
+        t055: 0.0,
+        t056: 0.0,
+        t057: 0.0,
+        t058: 0.0,
+        t059: 0.0,
+        t060: 0.0,
+        t061: 0.0,
+        t062: 0.0,
+        t063: 0.0,
+        t064: 0.0,
+        t065: 0.0,
         t163: 0.0,
         t169: 0.0,
         t175: 0.0,
@@ -324,163 +324,163 @@ impl Observer {
     /// Part 1 of a step.
     fn part_1(&mut self, measurements: Measurements, inputs: Inputs, work: &mut Work) {
         // samples: outside its range, infinite or NaN means missing
-        let t0 = self.newest;
-        let t1 = t0.min(100);
-        let t2 = measurements.y;
-        let t3 = (-1e21..=1e21).contains(&t2);
-        let t4 = inputs.u;
-        let t5 = (-1e21..=1e21).contains(&t4);
-        let t6 = self.u[t1];
-        work.t7 = if t5 { t4 } else { t6 };
-        work.t8 = if t1 < 100 { t1 + 1 } else { 0 };
-        let t11 = self.y[t1];
-        work.t12 = if t3 { t2 } else { t11 };
-        let t13 = if t3 { 1.0 } else { 0.0 };
+        let t000 = self.newest;
+        let t001 = t000.min(100);
+        let t002 = measurements.y;
+        let t003 = (-1e21..=1e21).contains(&t002);
+        let t004 = inputs.u;
+        let t005 = (-1e21..=1e21).contains(&t004);
+        let t006 = self.u[t001];
+        work.t007 = if t005 { t004 } else { t006 };
+        work.t008 = if t001 < 100 { t001 + 1 } else { 0 };
+        let t011 = self.y[t001];
+        work.t012 = if t003 { t002 } else { t011 };
+        let t013 = if t003 { 1.0 } else { 0.0 };
 
         // how much of the window is good
-        let t14 = self.count;
-        let t16 = 100 < t14;
-        let t19 = if t14 < 101 { t14 + 1 } else { 101 };
-        let t20 = if t5 { t19 } else { 1 };
-        let t21 = if t16 { t19 } else { t20 };
-        self.count = t21;
-        let t22 = self.coasting;
-        let t23 = t22.saturating_sub(1);
-        let t24 = if t5 { t23 } else { 100 };
-        self.coasting = t24;
+        let t014 = self.count;
+        let t016 = 100 < t014;
+        let t019 = if t014 < 101 { t014 + 1 } else { 101 };
+        let t020 = if t005 { t019 } else { 1 };
+        let t021 = if t016 { t019 } else { t020 };
+        self.count = t021;
+        let t022 = self.coasting;
+        let t023 = t022.saturating_sub(1);
+        let t024 = if t005 { t023 } else { 100 };
+        self.coasting = t024;
 
         // into the window
-        self.newest = work.t8;
-        self.y[work.t8.min(100)] = work.t12;
-        self.has_y[work.t8.min(100)] = t13;
-        self.u[work.t8.min(100)] = work.t7;
-        work.flags[0] = 100 < t21;
+        self.newest = work.t008;
+        self.y[work.t008.min(100)] = work.t012;
+        self.has_y[work.t008.min(100)] = t013;
+        self.u[work.t008.min(100)] = work.t007;
+        work.flags[0] = 100 < t021;
     }
 
     /// Part 2 of a step.
     fn part_2(&self, work: &mut Work) {
         // rows of the window, oldest first; those without a sample count nothing
-        work.t26 = if work.t8 < 100 { work.t8 + 1 } else { 0 };
-        let t30 = self.has_y[work.t26.min(100)];
-        let t31 = self.y[work.t26.min(100)];
-        let t32 = t31 - 0.0;
-        let t33 = t30 * 0.099_503_72;
-        let t34 = t30 * -0.181_241_44;
-        let t35 = t30 * 0.561_164_7;
-        let t36 = t33 * t33;
-        work.t37 = 0.0 + t36;
-        let t38 = t33 * t34;
-        work.t39 = 0.0 + t38;
-        let t40 = t33 * t35;
-        work.t41 = 0.0 + t40;
-        let t42 = t34 * t34;
-        work.t43 = 0.0 + t42;
-        let t44 = t34 * t35;
-        work.t45 = 0.0 + t44;
-        let t46 = t35 * t35;
-        work.t47 = 0.0 + t46;
-        let t48 = t33 * t32;
-        work.t49 = 0.0 + t48;
-        let t50 = t34 * t32;
-        work.t51 = 0.0 + t50;
-        let t52 = t35 * t32;
-        work.t53 = 0.0 + t52;
+        work.t026 = if work.t008 < 100 { work.t008 + 1 } else { 0 };
+        let t030 = self.has_y[work.t026.min(100)];
+        let t031 = self.y[work.t026.min(100)];
+        let t032 = t031 - 0.0;
+        let t033 = t030 * 0.099_503_72;
+        let t034 = t030 * -0.181_241_44;
+        let t035 = t030 * 0.561_164_7;
+        let t036 = t033 * t033;
+        work.t037 = 0.0 + t036;
+        let t038 = t033 * t034;
+        work.t039 = 0.0 + t038;
+        let t040 = t033 * t035;
+        work.t041 = 0.0 + t040;
+        let t042 = t034 * t034;
+        work.t043 = 0.0 + t042;
+        let t044 = t034 * t035;
+        work.t045 = 0.0 + t044;
+        let t046 = t035 * t035;
+        work.t047 = 0.0 + t046;
+        let t048 = t033 * t032;
+        work.t049 = 0.0 + t048;
+        let t050 = t034 * t032;
+        work.t051 = 0.0 + t050;
+        let t052 = t035 * t032;
+        work.t053 = 0.0 + t052;
     }
 
     /// Part 3 of a step.
     fn part_3(&self, work: &mut Work) {
-        work.t54 = work.t37;
-        work.t55 = work.t39;
-        work.t56 = work.t41;
-        work.t57 = work.t43;
-        work.t58 = work.t45;
-        work.t59 = work.t47;
-        work.t60 = work.t49;
-        work.t61 = work.t51;
-        work.t62 = work.t53;
-        work.t63 = 0.0;
-        work.t64 = 0.0;
-        work.t65 = 0.0;
-        let mut t66: usize = work.t26;
+        work.t054 = work.t037;
+        work.t055 = work.t039;
+        work.t056 = work.t041;
+        work.t057 = work.t043;
+        work.t058 = work.t045;
+        work.t059 = work.t047;
+        work.t060 = work.t049;
+        work.t061 = work.t051;
+        work.t062 = work.t053;
+        work.t063 = 0.0;
+        work.t064 = 0.0;
+        work.t065 = 0.0;
+        let mut t066: usize = work.t026;
         for gains in &ROWS {
-            let t67 = if t66 < 100 { t66 + 1 } else { 0 };
-            let t68 = self.u[t67];
-            let t70 = 0.000_999_413_5 * work.t64;
-            let t72 = 7.021_338e-6 * work.t65;
-            let t73 = work.t63 + t70;
-            let t74 = t73 + t72;
-            let t76 = 9.516_694e-8 * t68;
-            let t77 = t74 + t76;
-            let t79 = 0.998_745 * work.t64;
-            let t81 = 0.013_586_936_5 * work.t65;
-            let t82 = t79 + t81;
-            let t84 = 0.000_280_853_54 * t68;
-            let t85 = t82 + t84;
-            let t87 = -0.032_970_965 * work.t64;
-            let t89 = 0.818_491_64 * work.t65;
-            let t90 = t87 + t89;
-            let t92 = 0.036_250_554 * t68;
-            let t93 = t90 + t92;
-            let t94 = gains[0];
-            let t95 = gains[1];
-            let t96 = gains[2];
-            let t97 = self.has_y[t67];
-            let t98 = self.y[t67];
-            let t99 = t98 - t77;
-            let t100 = t97 * t94;
-            let t101 = t97 * t95;
-            let t102 = t97 * t96;
+            let t067 = if t066 < 100 { t066 + 1 } else { 0 };
+            let t068 = self.u[t067];
+            let t070 = 0.000_999_413_5 * work.t064;
+            let t072 = 7.021_338e-6 * work.t065;
+            let t073 = work.t063 + t070;
+            let t074 = t073 + t072;
+            let t076 = 9.516_694e-8 * t068;
+            let t077 = t074 + t076;
+            let t079 = 0.998_745 * work.t064;
+            let t081 = 0.013_586_936_5 * work.t065;
+            let t082 = t079 + t081;
+            let t084 = 0.000_280_853_54 * t068;
+            let t085 = t082 + t084;
+            let t087 = -0.032_970_965 * work.t064;
+            let t089 = 0.818_491_64 * work.t065;
+            let t090 = t087 + t089;
+            let t092 = 0.036_250_554 * t068;
+            let t093 = t090 + t092;
+            let t094 = gains[0];
+            let t095 = gains[1];
+            let t096 = gains[2];
+            let t097 = self.has_y[t067];
+            let t098 = self.y[t067];
+            let t099 = t098 - t077;
+            let t100 = t097 * t094;
+            let t101 = t097 * t095;
+            let t102 = t097 * t096;
             let t103 = t100 * t100;
-            let t104 = work.t54 + t103;
+            let t104 = work.t054 + t103;
             let t105 = t100 * t101;
-            let t106 = work.t55 + t105;
+            let t106 = work.t055 + t105;
             let t107 = t100 * t102;
-            let t108 = work.t56 + t107;
+            let t108 = work.t056 + t107;
             let t109 = t101 * t101;
-            let t110 = work.t57 + t109;
+            let t110 = work.t057 + t109;
             let t111 = t101 * t102;
-            let t112 = work.t58 + t111;
+            let t112 = work.t058 + t111;
             let t113 = t102 * t102;
-            let t114 = work.t59 + t113;
-            let t115 = t100 * t99;
-            let t116 = work.t60 + t115;
-            let t117 = t101 * t99;
-            let t118 = work.t61 + t117;
-            let t119 = t102 * t99;
-            let t120 = work.t62 + t119;
-            work.t54 = t104;
-            work.t55 = t106;
-            work.t56 = t108;
-            work.t57 = t110;
-            work.t58 = t112;
-            work.t59 = t114;
-            work.t60 = t116;
-            work.t61 = t118;
-            work.t62 = t120;
-            work.t63 = t77;
-            work.t64 = t85;
-            work.t65 = t93;
-            t66 = t67;
+            let t114 = work.t059 + t113;
+            let t115 = t100 * t099;
+            let t116 = work.t060 + t115;
+            let t117 = t101 * t099;
+            let t118 = work.t061 + t117;
+            let t119 = t102 * t099;
+            let t120 = work.t062 + t119;
+            work.t054 = t104;
+            work.t055 = t106;
+            work.t056 = t108;
+            work.t057 = t110;
+            work.t058 = t112;
+            work.t059 = t114;
+            work.t060 = t116;
+            work.t061 = t118;
+            work.t062 = t120;
+            work.t063 = t077;
+            work.t064 = t085;
+            work.t065 = t093;
+            t066 = t067;
         }
     }
 
     /// Part 4 of a step.
     fn part_4(work: &mut Work) {
         // the window's start from the samples that are there
-        let t122 = 0.000_127_305 < work.t54;
-        let t123 = if t122 { work.t54 } else { 1.0 };
-        let t124 = work.t55 / t123;
-        let t125 = t124 * work.t55;
-        let t126 = work.t57 - t125;
-        let t127 = t124 * work.t56;
-        let t128 = work.t58 - t127;
-        let t129 = t124 * work.t60;
-        let t130 = work.t61 - t129;
-        let t131 = work.t56 / t123;
-        let t132 = t131 * work.t56;
-        let t133 = work.t59 - t132;
-        let t134 = t131 * work.t60;
-        let t135 = work.t62 - t134;
+        let t122 = 0.000_127_305 < work.t054;
+        let t123 = if t122 { work.t054 } else { 1.0 };
+        let t124 = work.t055 / t123;
+        let t125 = t124 * work.t055;
+        let t126 = work.t057 - t125;
+        let t127 = t124 * work.t056;
+        let t128 = work.t058 - t127;
+        let t129 = t124 * work.t060;
+        let t130 = work.t061 - t129;
+        let t131 = work.t056 / t123;
+        let t132 = t131 * work.t056;
+        let t133 = work.t059 - t132;
+        let t134 = t131 * work.t060;
+        let t135 = work.t062 - t134;
         let t136 = 0.000_127_305 < t126;
         let t137 = t122 && t136;
         let t138 = if t136 { t126 } else { 1.0 };
@@ -496,9 +496,9 @@ impl Observer {
         let t148 = t128 * t147;
         let t149 = t130 - t148;
         let t150 = t149 / t138;
-        let t151 = work.t55 * t150;
-        let t152 = work.t60 - t151;
-        let t153 = work.t56 * t147;
+        let t151 = work.t055 * t150;
+        let t152 = work.t060 - t151;
+        let t153 = work.t056 * t147;
         let t154 = t152 - t153;
         let t155 = t154 / t123;
         let t156 = 0.099_503_72 * t155;
@@ -506,15 +506,15 @@ impl Observer {
         let t160 = 0.065_137_93 * t147;
         let t161 = t156 + t158;
         let t162 = t161 + t160;
-        work.t163 = t162 + work.t63;
+        work.t163 = t162 + work.t063;
         let t165 = 2.811_884_2 * t150;
         let t167 = 1.841_816_8 * t147;
         let t168 = t165 + t167;
-        work.t169 = t168 + work.t64;
+        work.t169 = t168 + work.t064;
         let t171 = -0.521_628_56 * t150;
         let t173 = -0.341_667_77 * t147;
         let t174 = t171 + t173;
-        work.t175 = t174 + work.t65;
+        work.t175 = t174 + work.t065;
     }
 
     /// Part 5 of a step.
@@ -523,19 +523,19 @@ impl Observer {
         let t176 = self.known;
         let t177 = t176 == 1;
         let t178 = self.next_q;
-        let t180 = 9.516_694e-8 * work.t7;
+        let t180 = 9.516_694e-8 * work.t007;
         let t181 = t178 + t180;
         let t182 = (-1e21..=1e21).contains(&t181);
         let t183 = t177 && t182;
         let t184 = if work.flags[1] { work.t163 } else { t181 };
         let t185 = self.next_dq;
-        let t187 = 0.000_280_853_54 * work.t7;
+        let t187 = 0.000_280_853_54 * work.t007;
         let t188 = t185 + t187;
         let t189 = (-1e21..=1e21).contains(&t188);
         let t190 = t183 && t189;
         let t191 = if work.flags[1] { work.t169 } else { t188 };
         let t192 = self.next_i;
-        let t194 = 0.036_250_554 * work.t7;
+        let t194 = 0.036_250_554 * work.t007;
         let t195 = t192 + t194;
         let t196 = (-1e21..=1e21).contains(&t195);
         let t197 = t190 && t196;
@@ -565,7 +565,7 @@ impl Observer {
         self.next_i = t223;
 
         // the estimate; until there is one, the start
-        work.t224 = if t200 { t184 } else { work.t12 };
+        work.t224 = if t200 { t184 } else { work.t012 };
         work.t225 = if t200 { t191 } else { 0.0 };
         work.t226 = if t200 { t198 } else { 0.0 };
         let t227 = self.coasting;

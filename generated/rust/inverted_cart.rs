@@ -287,29 +287,29 @@ static WINDOW: [[f64; 16]; 20] = [
 
 /// What one part of a step hands to the next.
 struct Work {
-    t12: f64,
-    t13: usize,
-    t25: usize,
-    t30: f64,
-    t41: f64,
-    t50: f64,
-    t76: usize,
-    t84: f64,
-    t85: f64,
-    t86: f64,
-    t87: f64,
-    t88: f64,
-    t89: f64,
-    t90: f64,
-    t91: f64,
-    t92: f64,
-    t93: f64,
-    t94: f64,
-    t95: f64,
-    t96: f64,
-    t97: f64,
-    t98: f64,
-    t99: f64,
+    t012: f64,
+    t013: usize,
+    t025: usize,
+    t030: f64,
+    t041: f64,
+    t050: f64,
+    t076: usize,
+    t084: f64,
+    t085: f64,
+    t086: f64,
+    t087: f64,
+    t088: f64,
+    t089: f64,
+    t090: f64,
+    t091: f64,
+    t092: f64,
+    t093: f64,
+    t094: f64,
+    t095: f64,
+    t096: f64,
+    t097: f64,
+    t098: f64,
+    t099: f64,
     t100: usize,
     t154: f64,
     t229: f64,
@@ -322,29 +322,29 @@ struct Work {
 impl Work {
     /// Before the first part.
     const EMPTY: Self = Self {
-        t12: 0.0,
-        t13: 0,
-        t25: 0,
-        t30: 0.0,
-        t41: 0.0,
-        t50: 0.0,
-        t76: 0,
-        t84: 0.0,
-        t85: 0.0,
-        t86: 0.0,
-        t87: 0.0,
-        t88: 0.0,
-        t89: 0.0,
-        t90: 0.0,
-        t91: 0.0,
-        t92: 0.0,
-        t93: 0.0,
-        t94: 0.0,
-        t95: 0.0,
-        t96: 0.0,
-        t97: 0.0,
-        t98: 0.0,
-        t99: 0.0,
+        t012: 0.0,
+        t013: 0,
+        t025: 0,
+        t030: 0.0,
+        t041: 0.0,
+        t050: 0.0,
+        t076: 0,
+        t084: 0.0,
+        t085: 0.0,
+        t086: 0.0,
+        t087: 0.0,
+        t088: 0.0,
+        t089: 0.0,
+        t090: 0.0,
+        t091: 0.0,
+        t092: 0.0,
+        t093: 0.0,
+        t094: 0.0,
+        t095: 0.0,
+        t096: 0.0,
+        t097: 0.0,
+        t098: 0.0,
+        t099: 0.0,
         t100: 0,
         t154: 0.0,
         t229: 0.0,
@@ -395,190 +395,190 @@ impl Observer {
     /// Part 1 of a step.
     fn part_1(&mut self, measurements: Measurements, inputs: Inputs, work: &mut Work) {
         // samples: outside its range, infinite or NaN means missing
-        let t0 = self.newest;
-        let t1 = t0.min(20);
-        let t2 = self.count;
-        let t4 = 20 < t2;
-        let t5 = measurements.x;
-        let t6 = (-1e305..=1e305).contains(&t5);
-        let t7 = measurements.angle;
-        let t8 = (-1e305..=1e305).contains(&t7);
-        let t9 = inputs.force;
-        let t10 = (-1e305..=1e305).contains(&t9);
-        let t11 = self.force[t1];
-        work.t12 = if t10 { t9 } else { t11 };
+        let t000 = self.newest;
+        let t001 = t000.min(20);
+        let t002 = self.count;
+        let t004 = 20 < t002;
+        let t005 = measurements.x;
+        let t006 = (-1e305..=1e305).contains(&t005);
+        let t007 = measurements.angle;
+        let t008 = (-1e305..=1e305).contains(&t007);
+        let t009 = inputs.force;
+        let t010 = (-1e305..=1e305).contains(&t009);
+        let t011 = self.force[t001];
+        work.t012 = if t010 { t009 } else { t011 };
 
         // prediction, for a sample that is missing
-        work.t13 = if t1 < 20 { t1 + 1 } else { 0 };
-        let t14 = self.ahead_x;
-        let t16 = 2.272_093_139_927_092_7e-5 * work.t12;
-        let t17 = t14 + t16;
-        let t18 = self.ahead_angle;
-        let t20 = 5.680_522_817_597_870_4e-5 * work.t12;
-        let t21 = t18 + t20;
-        let t22 = self.x[t1];
-        let t23 = self.angle[t1];
-        work.t25 = self.calls;
-        let t26 = ::deadbeat::math::f64_from_index(work.t25);
-        let t28 = t26 * 0.005;
-        let t29 = 9.424_777_960_769_38 * t28;
-        work.t30 = ::deadbeat::math::sin_f64(t29);
-        let t31 = self.sin_2_pi_1_5_t[t1];
-        let t32 = work.t30 - t31;
-        let t34 = 4.175_538_654_877_078e-12 * t32;
-        let t35 = t17 + t34;
-        let t36 = (-1e305..=1e305).contains(&t35);
-        let t37 = t4 && t36;
-        let t38 = if t37 { t35 } else { t22 };
-        let t39 = t6 || t37;
-        let t40 = !t39;
-        work.t41 = if t6 { t5 } else { t38 };
-        let t43 = 1.250_048_720_885_277e-6 * t32;
-        let t44 = t21 + t43;
-        let t45 = (-1e305..=1e305).contains(&t44);
-        let t46 = t4 && t45;
-        let t47 = if t46 { t44 } else { t23 };
-        let t48 = t8 || t46;
-        let t49 = !t48;
-        work.t50 = if t8 { t7 } else { t47 };
-        let t51 = self.missed_x;
-        let t52 = 20 < t51;
-        let t53 = !t6;
-        let t54 = t53 && t52;
-        let t56 = if t51 < 21 { t51 + 1 } else { 21 };
-        let t57 = if t6 { 0 } else { t56 };
-        self.missed_x = t57;
-        let t58 = self.missed_angle;
-        let t59 = 20 < t58;
-        let t60 = !t8;
-        let t61 = t60 && t59;
-        let t62 = if t58 < 21 { t58 + 1 } else { 21 };
-        let t63 = if t8 { 0 } else { t62 };
-        self.missed_angle = t63;
-        let t64 = t54 || t61;
-        let t65 = t54 && t61;
-        let t66 = !t65;
-        let t67 = t64 && t66;
-        let t68 = t6 && t8;
-        let t69 = t40 || t49;
-        let t70 = t69 || t67;
+        work.t013 = if t001 < 20 { t001 + 1 } else { 0 };
+        let t014 = self.ahead_x;
+        let t016 = 2.272_093_139_927_092_7e-5 * work.t012;
+        let t017 = t014 + t016;
+        let t018 = self.ahead_angle;
+        let t020 = 5.680_522_817_597_870_4e-5 * work.t012;
+        let t021 = t018 + t020;
+        let t022 = self.x[t001];
+        let t023 = self.angle[t001];
+        work.t025 = self.calls;
+        let t026 = ::deadbeat::math::f64_from_index(work.t025);
+        let t028 = t026 * 0.005;
+        let t029 = 9.424_777_960_769_38 * t028;
+        work.t030 = ::deadbeat::math::sin_f64(t029);
+        let t031 = self.sin_2_pi_1_5_t[t001];
+        let t032 = work.t030 - t031;
+        let t034 = 4.175_538_654_877_078e-12 * t032;
+        let t035 = t017 + t034;
+        let t036 = (-1e305..=1e305).contains(&t035);
+        let t037 = t004 && t036;
+        let t038 = if t037 { t035 } else { t022 };
+        let t039 = t006 || t037;
+        let t040 = !t039;
+        work.t041 = if t006 { t005 } else { t038 };
+        let t043 = 1.250_048_720_885_277e-6 * t032;
+        let t044 = t021 + t043;
+        let t045 = (-1e305..=1e305).contains(&t044);
+        let t046 = t004 && t045;
+        let t047 = if t046 { t044 } else { t023 };
+        let t048 = t008 || t046;
+        let t049 = !t048;
+        work.t050 = if t008 { t007 } else { t047 };
+        let t051 = self.missed_x;
+        let t052 = 20 < t051;
+        let t053 = !t006;
+        let t054 = t053 && t052;
+        let t056 = if t051 < 21 { t051 + 1 } else { 21 };
+        let t057 = if t006 { 0 } else { t056 };
+        self.missed_x = t057;
+        let t058 = self.missed_angle;
+        let t059 = 20 < t058;
+        let t060 = !t008;
+        let t061 = t060 && t059;
+        let t062 = if t058 < 21 { t058 + 1 } else { 21 };
+        let t063 = if t008 { 0 } else { t062 };
+        self.missed_angle = t063;
+        let t064 = t054 || t061;
+        let t065 = t054 && t061;
+        let t066 = !t065;
+        let t067 = t064 && t066;
+        let t068 = t006 && t008;
+        let t069 = t040 || t049;
+        let t070 = t069 || t067;
 
         // how much of the window is good
-        let t72 = if t2 < 21 { t2 + 1 } else { 21 };
-        let t73 = if t70 { 0 } else { t72 };
-        let t74 = if t10 { t72 } else { 1 };
-        let t75 = if t68 { t74 } else { 0 };
-        work.t76 = if t4 { t73 } else { t75 };
-        self.count = work.t76;
-        let t77 = self.coasting;
-        let t78 = t77.saturating_sub(1);
-        let t79 = if t10 { t78 } else { 20 };
-        let t81 = if t68 { t79 } else { 21 };
-        self.coasting = t81;
+        let t072 = if t002 < 21 { t002 + 1 } else { 21 };
+        let t073 = if t070 { 0 } else { t072 };
+        let t074 = if t010 { t072 } else { 1 };
+        let t075 = if t068 { t074 } else { 0 };
+        work.t076 = if t004 { t073 } else { t075 };
+        self.count = work.t076;
+        let t077 = self.coasting;
+        let t078 = t077.saturating_sub(1);
+        let t079 = if t010 { t078 } else { 20 };
+        let t081 = if t068 { t079 } else { 21 };
+        self.coasting = t081;
     }
 
     /// Part 2 of a step.
     fn part_2(&mut self, work: &Work) {
         // into the window
-        self.newest = work.t13;
-        self.x[work.t13.min(20)] = work.t41;
-        self.angle[work.t13.min(20)] = work.t50;
-        self.force[work.t13.min(20)] = work.t12;
-        self.sin_2_pi_1_5_t[work.t13.min(20)] = work.t30;
-        let t82 = if work.t25 < 4_294_967_295 { work.t25 + 1 } else { 4_294_967_295 };
-        self.calls = t82;
+        self.newest = work.t013;
+        self.x[work.t013.min(20)] = work.t041;
+        self.angle[work.t013.min(20)] = work.t050;
+        self.force[work.t013.min(20)] = work.t012;
+        self.sin_2_pi_1_5_t[work.t013.min(20)] = work.t030;
+        let t082 = if work.t025 < 4_294_967_295 { work.t025 + 1 } else { 4_294_967_295 };
+        self.calls = t082;
     }
 
     /// Part 3 of a step.
     fn part_3(&self, work: &mut Work) {
         // the sums over the window, newest sample first
-        work.t84 = 0.0;
-        work.t85 = 0.0;
-        work.t86 = 0.0;
-        work.t87 = 0.0;
-        work.t88 = 0.0;
-        work.t89 = 0.0;
-        work.t90 = 0.0;
-        work.t91 = 0.0;
-        work.t92 = 0.0;
-        work.t93 = 0.0;
-        work.t94 = 0.0;
-        work.t95 = 0.0;
-        work.t96 = 0.0;
-        work.t97 = 0.0;
-        work.t98 = 0.0;
-        work.t99 = 0.0;
-        work.t100 = work.t13;
+        work.t084 = 0.0;
+        work.t085 = 0.0;
+        work.t086 = 0.0;
+        work.t087 = 0.0;
+        work.t088 = 0.0;
+        work.t089 = 0.0;
+        work.t090 = 0.0;
+        work.t091 = 0.0;
+        work.t092 = 0.0;
+        work.t093 = 0.0;
+        work.t094 = 0.0;
+        work.t095 = 0.0;
+        work.t096 = 0.0;
+        work.t097 = 0.0;
+        work.t098 = 0.0;
+        work.t099 = 0.0;
+        work.t100 = work.t013;
         for gains in &WINDOW {
             let t101 = self.x[work.t100.min(20)];
             let t102 = gains[0];
             let t103 = t102 * t101;
-            let t104 = work.t84 + t103;
+            let t104 = work.t084 + t103;
             let t105 = gains[1];
             let t106 = t105 * t101;
-            let t107 = work.t88 + t106;
+            let t107 = work.t088 + t106;
             let t108 = gains[2];
             let t109 = t108 * t101;
-            let t110 = work.t92 + t109;
+            let t110 = work.t092 + t109;
             let t111 = gains[3];
             let t112 = t111 * t101;
-            let t113 = work.t96 + t112;
+            let t113 = work.t096 + t112;
             let t114 = self.angle[work.t100.min(20)];
             let t115 = gains[4];
             let t116 = t115 * t114;
-            let t117 = work.t85 + t116;
+            let t117 = work.t085 + t116;
             let t118 = gains[5];
             let t119 = t118 * t114;
-            let t120 = work.t89 + t119;
+            let t120 = work.t089 + t119;
             let t121 = gains[6];
             let t122 = t121 * t114;
-            let t123 = work.t93 + t122;
+            let t123 = work.t093 + t122;
             let t124 = gains[7];
             let t125 = t124 * t114;
-            let t126 = work.t97 + t125;
+            let t126 = work.t097 + t125;
             let t127 = self.force[work.t100.min(20)];
             let t128 = gains[8];
             let t129 = t128 * t127;
-            let t130 = work.t86 + t129;
+            let t130 = work.t086 + t129;
             let t131 = gains[9];
             let t132 = t131 * t127;
-            let t133 = work.t90 + t132;
+            let t133 = work.t090 + t132;
             let t134 = gains[10];
             let t135 = t134 * t127;
-            let t136 = work.t94 + t135;
+            let t136 = work.t094 + t135;
             let t137 = gains[11];
             let t138 = t137 * t127;
-            let t139 = work.t98 + t138;
+            let t139 = work.t098 + t138;
             let t140 = self.sin_2_pi_1_5_t[work.t100.min(20)];
             let t141 = gains[12];
             let t142 = t141 * t140;
-            let t143 = work.t87 + t142;
+            let t143 = work.t087 + t142;
             let t144 = gains[13];
             let t145 = t144 * t140;
-            let t146 = work.t91 + t145;
+            let t146 = work.t091 + t145;
             let t147 = gains[14];
             let t148 = t147 * t140;
-            let t149 = work.t95 + t148;
+            let t149 = work.t095 + t148;
             let t150 = gains[15];
             let t151 = t150 * t140;
-            let t152 = work.t99 + t151;
+            let t152 = work.t099 + t151;
             let t153 = work.t100.wrapping_sub(1).min(20);
-            work.t84 = t104;
-            work.t85 = t117;
-            work.t86 = t130;
-            work.t87 = t143;
-            work.t88 = t107;
-            work.t89 = t120;
-            work.t90 = t133;
-            work.t91 = t146;
-            work.t92 = t110;
-            work.t93 = t123;
-            work.t94 = t136;
-            work.t95 = t149;
-            work.t96 = t113;
-            work.t97 = t126;
-            work.t98 = t139;
-            work.t99 = t152;
+            work.t084 = t104;
+            work.t085 = t117;
+            work.t086 = t130;
+            work.t087 = t143;
+            work.t088 = t107;
+            work.t089 = t120;
+            work.t090 = t133;
+            work.t091 = t146;
+            work.t092 = t110;
+            work.t093 = t123;
+            work.t094 = t136;
+            work.t095 = t149;
+            work.t096 = t113;
+            work.t097 = t126;
+            work.t098 = t139;
+            work.t099 = t152;
             work.t100 = t153;
         }
         work.t154 = self.x[work.t100.min(20)];
@@ -587,49 +587,49 @@ impl Observer {
     /// Part 4 of a step.
     fn part_4(&mut self, work: &mut Work) {
         let t156 = -0.082_231_236_656_597_44 * work.t154;
-        let t157 = work.t84 + t156;
+        let t157 = work.t084 + t156;
         let t159 = 0.006_221_303_472_788_336 * work.t154;
-        let t160 = work.t88 + t159;
+        let t160 = work.t088 + t159;
         let t162 = -2.580_202_396_123_767 * work.t154;
-        let t163 = work.t92 + t162;
+        let t163 = work.t092 + t162;
         let t165 = -0.027_107_585_688_615_46 * work.t154;
-        let t166 = work.t96 + t165;
+        let t166 = work.t096 + t165;
         let t167 = self.angle[work.t100.min(20)];
         let t169 = 4.381_157_060_013_194e-5 * t167;
-        let t170 = work.t85 + t169;
+        let t170 = work.t085 + t169;
         let t172 = -0.081_050_524_591_616_06 * t167;
-        let t173 = work.t89 + t172;
+        let t173 = work.t089 + t172;
         let t175 = -0.000_480_122_723_459_420_66 * t167;
-        let t176 = work.t93 + t175;
+        let t176 = work.t093 + t175;
         let t178 = -2.612_229_734_832_813 * t167;
-        let t179 = work.t97 + t178;
+        let t179 = work.t097 + t178;
         let t180 = self.sin_2_pi_1_5_t[work.t100.min(20)];
         let t182 = -5.442_313_416_638_647e-11 * t180;
-        let t183 = work.t87 + t182;
+        let t183 = work.t087 + t182;
         let t185 = 1.013_170_788_640_665_3e-7 * t180;
-        let t186 = work.t91 + t185;
+        let t186 = work.t091 + t185;
         let t188 = 6.109_537_976_205_512e-10 * t180;
-        let t189 = work.t95 + t188;
+        let t189 = work.t095 + t188;
         let t191 = 3.265_414_560_173_051_4e-6 * t180;
-        let t192 = work.t99 + t191;
+        let t192 = work.t099 + t191;
         let t193 = t157 + t170;
-        let t194 = t193 + work.t86;
+        let t194 = t193 + work.t086;
         let t195 = t194 + t183;
         let t196 = t160 + t173;
-        let t197 = t196 + work.t90;
+        let t197 = t196 + work.t090;
         let t198 = t197 + t186;
         let t199 = t163 + t176;
-        let t200 = t199 + work.t94;
+        let t200 = t199 + work.t094;
         let t201 = t200 + t189;
         let t202 = t166 + t179;
-        let t203 = t202 + work.t98;
+        let t203 = t202 + work.t098;
         let t204 = t203 + t192;
 
         // the next measurement, as far as it is known
         let t206 = 3.340_079_932_811_314_5e-5 * t198;
         let t208 = 0.004_997_728_156_787_819 * t201;
         let t210 = 5.567_076_867_908_814_6e-8 * t204;
-        let t212 = 2.087_721_575_331_960_5e-11 * work.t30;
+        let t212 = 2.087_721_575_331_960_5e-11 * work.t030;
         let t213 = t195 + t206;
         let t214 = t208 + t210;
         let t215 = t214 + t212;
@@ -638,16 +638,16 @@ impl Observer {
         let t218 = 1.000_389_772_517_740_9 * t198;
         let t220 = -5.679_897_966_336_447_5e-6 * t201;
         let t222 = 0.005_000_649_614_524_433 * t204;
-        let t224 = 3.750_243_604_653_608_6e-6 * work.t30;
+        let t224 = 3.750_243_604_653_608_6e-6 * work.t030;
         let t225 = t218 + t220;
         let t226 = t225 + t222;
         let t227 = t226 + t224;
         self.ahead_angle = t227;
 
         // the estimate; until the window is full, the start
-        let t228 = 20 < work.t76;
-        work.t229 = if t228 { t195 } else { work.t41 };
-        work.t230 = if t228 { t198 } else { work.t50 };
+        let t228 = 20 < work.t076;
+        work.t229 = if t228 { t195 } else { work.t041 };
+        work.t230 = if t228 { t198 } else { work.t050 };
         work.t231 = if t228 { t201 } else { 0.0 };
         work.t232 = if t228 { t204 } else { 0.0 };
         let t233 = self.coasting;

@@ -322,28 +322,28 @@ static WINDOW: [[f32; 16]; 37] = [
 
 /// What one part of a step hands to the next.
 struct Work {
-    t2: usize,
-    t12: f32,
-    t13: usize,
-    t15: usize,
-    t30: f32,
-    t38: f32,
-    t48: f32,
-    t75: usize,
-    t86: f32,
-    t87: f32,
-    t88: f32,
-    t89: f32,
-    t90: f32,
-    t91: f32,
-    t92: f32,
-    t93: f32,
-    t94: f32,
-    t95: f32,
-    t96: f32,
-    t97: f32,
-    t98: f32,
-    t99: f32,
+    t002: usize,
+    t012: f32,
+    t013: usize,
+    t015: usize,
+    t030: f32,
+    t038: f32,
+    t048: f32,
+    t075: usize,
+    t086: f32,
+    t087: f32,
+    t088: f32,
+    t089: f32,
+    t090: f32,
+    t091: f32,
+    t092: f32,
+    t093: f32,
+    t094: f32,
+    t095: f32,
+    t096: f32,
+    t097: f32,
+    t098: f32,
+    t099: f32,
     t100: f32,
     t101: f32,
     t102: usize,
@@ -374,28 +374,28 @@ struct Work {
 impl Work {
     /// Before the first part.
     const EMPTY: Self = Self {
-        t2: 0,
-        t12: 0.0,
-        t13: 0,
-        t15: 0,
-        t30: 0.0,
-        t38: 0.0,
-        t48: 0.0,
-        t75: 0,
-        t86: 0.0,
-        t87: 0.0,
-        t88: 0.0,
-        t89: 0.0,
-        t90: 0.0,
-        t91: 0.0,
-        t92: 0.0,
-        t93: 0.0,
-        t94: 0.0,
-        t95: 0.0,
-        t96: 0.0,
-        t97: 0.0,
-        t98: 0.0,
-        t99: 0.0,
+        t002: 0,
+        t012: 0.0,
+        t013: 0,
+        t015: 0,
+        t030: 0.0,
+        t038: 0.0,
+        t048: 0.0,
+        t075: 0,
+        t086: 0.0,
+        t087: 0.0,
+        t088: 0.0,
+        t089: 0.0,
+        t090: 0.0,
+        t091: 0.0,
+        t092: 0.0,
+        t093: 0.0,
+        t094: 0.0,
+        t095: 0.0,
+        t096: 0.0,
+        t097: 0.0,
+        t098: 0.0,
+        t099: 0.0,
         t100: 0.0,
         t101: 0.0,
         t102: 0,
@@ -464,189 +464,189 @@ impl Observer {
     /// Part 1 of a step.
     fn part_1(&mut self, measurements: Measurements, inputs: Inputs, work: &mut Work) {
         // samples: outside its range, infinite or NaN means missing
-        let t0 = self.newest;
-        let t1 = t0.min(40);
-        work.t2 = self.count;
-        work.flags[0] = 40 < work.t2;
-        let t5 = measurements.camera;
-        work.flags[1] = (-1e36..=1e36).contains(&t5);
-        let t7 = measurements.wheel;
-        work.flags[2] = (-20.0..=20.0).contains(&t7);
-        let t9 = inputs.force;
-        work.flags[3] = (-1e36..=1e36).contains(&t9);
-        let t11 = self.force[t1];
-        work.t12 = if work.flags[3] { t9 } else { t11 };
+        let t000 = self.newest;
+        let t001 = t000.min(40);
+        work.t002 = self.count;
+        work.flags[0] = 40 < work.t002;
+        let t005 = measurements.camera;
+        work.flags[1] = (-1e36..=1e36).contains(&t005);
+        let t007 = measurements.wheel;
+        work.flags[2] = (-20.0..=20.0).contains(&t007);
+        let t009 = inputs.force;
+        work.flags[3] = (-1e36..=1e36).contains(&t009);
+        let t011 = self.force[t001];
+        work.t012 = if work.flags[3] { t009 } else { t011 };
 
         // prediction, for a sample that is missing
-        work.t13 = if t1 < 40 { t1 + 1 } else { 0 };
-        let t14 = self.ahead_camera_slot;
-        work.t15 = t14.min(3);
-        let t16 = self.ahead_camera[work.t15.min(3)];
-        let t17 = self.ahead_wheel;
-        let t19 = 0.000_542_759_1 * work.t12;
-        let t20 = t17 + t19;
-        let t21 = self.camera[t1];
-        let t22 = self.wheel[t1];
-        let t23 = (-1e36..=1e36).contains(&t16);
-        let t24 = (-20.0..=20.0).contains(&t20);
-        let t25 = work.flags[0] && t24;
-        let t26 = if t25 { t20 } else { t22 };
-        let t27 = if work.flags[2] { t7 } else { t26 };
-        let t29 = 20.0 * t27;
-        work.t30 = ::deadbeat::math::tanh_f32(t29);
-        let t31 = self.tanh_20_wheel[t1];
-        let t33 = 43 < work.t2;
-        let t34 = t33 && t23;
-        let t35 = if t34 { t16 } else { t21 };
-        let t36 = work.flags[1] || t34;
-        let t37 = !t36;
-        work.t38 = if work.flags[1] { t5 } else { t35 };
-        let t39 = work.t30 - t31;
-        let t41 = -0.000_185_480_31 * t39;
-        let t42 = t20 + t41;
-        let t43 = (-20.0..=20.0).contains(&t42);
-        let t44 = work.flags[0] && t43;
-        let t45 = if t44 { t42 } else { t22 };
-        let t46 = work.flags[2] || t44;
-        let t47 = !t46;
-        work.t48 = if work.flags[2] { t7 } else { t45 };
-        let t49 = self.missed_camera;
-        let t51 = 36 < t49;
-        let t52 = !work.flags[1];
-        let t53 = t52 && t51;
-        let t55 = if t49 < 37 { t49 + 1 } else { 37 };
-        let t56 = if work.flags[1] { 0 } else { t55 };
-        self.missed_camera = t56;
-        let t57 = self.missed_wheel;
-        let t58 = 40 < t57;
-        let t59 = !work.flags[2];
-        let t60 = t59 && t58;
-        let t61 = if t57 < 41 { t57 + 1 } else { 41 };
-        let t62 = if work.flags[2] { 0 } else { t61 };
-        self.missed_wheel = t62;
-        let t63 = t53 || t60;
-        let t64 = t53 && t60;
-        let t65 = !t64;
-        let t66 = t63 && t65;
+        work.t013 = if t001 < 40 { t001 + 1 } else { 0 };
+        let t014 = self.ahead_camera_slot;
+        work.t015 = t014.min(3);
+        let t016 = self.ahead_camera[work.t015.min(3)];
+        let t017 = self.ahead_wheel;
+        let t019 = 0.000_542_759_1 * work.t012;
+        let t020 = t017 + t019;
+        let t021 = self.camera[t001];
+        let t022 = self.wheel[t001];
+        let t023 = (-1e36..=1e36).contains(&t016);
+        let t024 = (-20.0..=20.0).contains(&t020);
+        let t025 = work.flags[0] && t024;
+        let t026 = if t025 { t020 } else { t022 };
+        let t027 = if work.flags[2] { t007 } else { t026 };
+        let t029 = 20.0 * t027;
+        work.t030 = ::deadbeat::math::tanh_f32(t029);
+        let t031 = self.tanh_20_wheel[t001];
+        let t033 = 43 < work.t002;
+        let t034 = t033 && t023;
+        let t035 = if t034 { t016 } else { t021 };
+        let t036 = work.flags[1] || t034;
+        let t037 = !t036;
+        work.t038 = if work.flags[1] { t005 } else { t035 };
+        let t039 = work.t030 - t031;
+        let t041 = -0.000_185_480_31 * t039;
+        let t042 = t020 + t041;
+        let t043 = (-20.0..=20.0).contains(&t042);
+        let t044 = work.flags[0] && t043;
+        let t045 = if t044 { t042 } else { t022 };
+        let t046 = work.flags[2] || t044;
+        let t047 = !t046;
+        work.t048 = if work.flags[2] { t007 } else { t045 };
+        let t049 = self.missed_camera;
+        let t051 = 36 < t049;
+        let t052 = !work.flags[1];
+        let t053 = t052 && t051;
+        let t055 = if t049 < 37 { t049 + 1 } else { 37 };
+        let t056 = if work.flags[1] { 0 } else { t055 };
+        self.missed_camera = t056;
+        let t057 = self.missed_wheel;
+        let t058 = 40 < t057;
+        let t059 = !work.flags[2];
+        let t060 = t059 && t058;
+        let t061 = if t057 < 41 { t057 + 1 } else { 41 };
+        let t062 = if work.flags[2] { 0 } else { t061 };
+        self.missed_wheel = t062;
+        let t063 = t053 || t060;
+        let t064 = t053 && t060;
+        let t065 = !t064;
+        let t066 = t063 && t065;
         work.flags[4] = work.flags[2] && work.flags[1];
-        let t68 = t37 || t47;
-        work.flags[5] = t68 || t66;
+        let t068 = t037 || t047;
+        work.flags[5] = t068 || t066;
     }
 
     /// Part 2 of a step.
     fn part_2(&mut self, work: &mut Work) {
         // how much of the window is good
-        let t71 = if work.t2 < 44 { work.t2 + 1 } else { 44 };
-        let t72 = if work.flags[5] { 0 } else { t71 };
-        let t73 = if work.flags[3] { t71 } else { 1 };
-        let t74 = if work.flags[4] { t73 } else { 0 };
-        work.t75 = if work.flags[0] { t72 } else { t74 };
-        self.count = work.t75;
-        let t76 = self.coasting;
-        let t77 = t76.saturating_sub(1);
-        let t78 = if work.flags[3] { t77 } else { 40 };
-        let t80 = t78 < 37;
-        let t81 = if t80 { 37 } else { t78 };
-        let t82 = if work.flags[1] { t78 } else { t81 };
-        let t84 = if work.flags[2] { t82 } else { 41 };
-        self.coasting = t84;
+        let t071 = if work.t002 < 44 { work.t002 + 1 } else { 44 };
+        let t072 = if work.flags[5] { 0 } else { t071 };
+        let t073 = if work.flags[3] { t071 } else { 1 };
+        let t074 = if work.flags[4] { t073 } else { 0 };
+        work.t075 = if work.flags[0] { t072 } else { t074 };
+        self.count = work.t075;
+        let t076 = self.coasting;
+        let t077 = t076.saturating_sub(1);
+        let t078 = if work.flags[3] { t077 } else { 40 };
+        let t080 = t078 < 37;
+        let t081 = if t080 { 37 } else { t078 };
+        let t082 = if work.flags[1] { t078 } else { t081 };
+        let t084 = if work.flags[2] { t082 } else { 41 };
+        self.coasting = t084;
 
         // into the window
-        self.newest = work.t13;
-        self.camera[work.t13.min(40)] = work.t38;
-        self.wheel[work.t13.min(40)] = work.t48;
-        self.force[work.t13.min(40)] = work.t12;
-        self.tanh_20_wheel[work.t13.min(40)] = work.t30;
+        self.newest = work.t013;
+        self.camera[work.t013.min(40)] = work.t038;
+        self.wheel[work.t013.min(40)] = work.t048;
+        self.force[work.t013.min(40)] = work.t012;
+        self.tanh_20_wheel[work.t013.min(40)] = work.t030;
     }
 
     /// Part 3 of a step.
     fn part_3(&self, work: &mut Work) {
         // the sums over the window, newest sample first
-        work.t86 = 0.0;
-        work.t87 = 0.0;
-        work.t88 = 0.0;
-        work.t89 = 0.0;
-        work.t90 = 0.0;
-        work.t91 = 0.0;
-        work.t92 = 0.0;
-        work.t93 = 0.0;
-        work.t94 = 0.0;
-        work.t95 = 0.0;
-        work.t96 = 0.0;
-        work.t97 = 0.0;
-        work.t98 = 0.0;
-        work.t99 = 0.0;
+        work.t086 = 0.0;
+        work.t087 = 0.0;
+        work.t088 = 0.0;
+        work.t089 = 0.0;
+        work.t090 = 0.0;
+        work.t091 = 0.0;
+        work.t092 = 0.0;
+        work.t093 = 0.0;
+        work.t094 = 0.0;
+        work.t095 = 0.0;
+        work.t096 = 0.0;
+        work.t097 = 0.0;
+        work.t098 = 0.0;
+        work.t099 = 0.0;
         work.t100 = 0.0;
         work.t101 = 0.0;
-        work.t102 = work.t13;
+        work.t102 = work.t013;
         for gains in &WINDOW {
             let t103 = self.camera[work.t102.min(40)];
             let t104 = gains[0];
             let t105 = t104 * t103;
-            let t106 = work.t86 + t105;
+            let t106 = work.t086 + t105;
             let t107 = gains[1];
             let t108 = t107 * t103;
-            let t109 = work.t90 + t108;
+            let t109 = work.t090 + t108;
             let t110 = gains[2];
             let t111 = t110 * t103;
-            let t112 = work.t94 + t111;
+            let t112 = work.t094 + t111;
             let t113 = gains[3];
             let t114 = t113 * t103;
-            let t115 = work.t98 + t114;
+            let t115 = work.t098 + t114;
             let t116 = self.wheel[work.t102.min(40)];
             let t117 = gains[4];
             let t118 = t117 * t116;
-            let t119 = work.t87 + t118;
+            let t119 = work.t087 + t118;
             let t120 = gains[5];
             let t121 = t120 * t116;
-            let t122 = work.t91 + t121;
+            let t122 = work.t091 + t121;
             let t123 = gains[6];
             let t124 = t123 * t116;
-            let t125 = work.t95 + t124;
+            let t125 = work.t095 + t124;
             let t126 = gains[7];
             let t127 = t126 * t116;
-            let t128 = work.t99 + t127;
+            let t128 = work.t099 + t127;
             let t129 = self.force[work.t102.min(40)];
             let t130 = gains[8];
             let t131 = t130 * t129;
-            let t132 = work.t88 + t131;
+            let t132 = work.t088 + t131;
             let t133 = gains[9];
             let t134 = t133 * t129;
-            let t135 = work.t92 + t134;
+            let t135 = work.t092 + t134;
             let t136 = gains[10];
             let t137 = t136 * t129;
-            let t138 = work.t96 + t137;
+            let t138 = work.t096 + t137;
             let t139 = gains[11];
             let t140 = t139 * t129;
             let t141 = work.t100 + t140;
             let t142 = self.tanh_20_wheel[work.t102.min(40)];
             let t143 = gains[12];
             let t144 = t143 * t142;
-            let t145 = work.t89 + t144;
+            let t145 = work.t089 + t144;
             let t146 = gains[13];
             let t147 = t146 * t142;
-            let t148 = work.t93 + t147;
+            let t148 = work.t093 + t147;
             let t149 = gains[14];
             let t150 = t149 * t142;
-            let t151 = work.t97 + t150;
+            let t151 = work.t097 + t150;
             let t152 = gains[15];
             let t153 = t152 * t142;
             let t154 = work.t101 + t153;
             let t155 = work.t102.wrapping_sub(1).min(40);
-            work.t86 = t106;
-            work.t87 = t119;
-            work.t88 = t132;
-            work.t89 = t145;
-            work.t90 = t109;
-            work.t91 = t122;
-            work.t92 = t135;
-            work.t93 = t148;
-            work.t94 = t112;
-            work.t95 = t125;
-            work.t96 = t138;
-            work.t97 = t151;
-            work.t98 = t115;
-            work.t99 = t128;
+            work.t086 = t106;
+            work.t087 = t119;
+            work.t088 = t132;
+            work.t089 = t145;
+            work.t090 = t109;
+            work.t091 = t122;
+            work.t092 = t135;
+            work.t093 = t148;
+            work.t094 = t112;
+            work.t095 = t125;
+            work.t096 = t138;
+            work.t097 = t151;
+            work.t098 = t115;
+            work.t099 = t128;
             work.t100 = t141;
             work.t101 = t154;
             work.t102 = t155;
@@ -657,29 +657,29 @@ impl Observer {
     /// Part 4 of a step.
     fn part_4(&self, work: &mut Work) {
         let t158 = -0.000_916_765_13 * work.t156;
-        let t159 = work.t87 + t158;
+        let t159 = work.t087 + t158;
         let t161 = -0.025_646_579 * work.t156;
-        let t162 = work.t91 + t161;
+        let t162 = work.t091 + t161;
         let t164 = -0.165_966_84 * work.t156;
-        let t165 = work.t95 + t164;
+        let t165 = work.t095 + t164;
         let t167 = -0.020_664_772 * work.t156;
-        let t168 = work.t99 + t167;
+        let t168 = work.t099 + t167;
         let t169 = self.force[work.t102.min(40)];
         let t171 = -8.976_167e-6 * t169;
-        let t172 = work.t88 + t171;
+        let t172 = work.t088 + t171;
         let t174 = -0.000_262_812_33 * t169;
-        let t175 = work.t92 + t174;
+        let t175 = work.t092 + t174;
         let t177 = -0.001_864_560_5 * t169;
-        let t178 = work.t96 + t177;
+        let t178 = work.t096 + t177;
         let t180 = -0.000_206_181_88 * t169;
         let t181 = work.t100 + t180;
         let t182 = self.tanh_20_wheel[work.t102.min(40)];
         let t184 = 1.153_305_4e-5 * t182;
-        let t185 = work.t89 + t184;
+        let t185 = work.t089 + t184;
         let t187 = 0.000_339_824_94 * t182;
-        let t188 = work.t93 + t187;
+        let t188 = work.t093 + t187;
         let t190 = 0.002_425_175 * t182;
-        let t191 = work.t97 + t190;
+        let t191 = work.t097 + t190;
         let t193 = 0.000_266_114_6 * t182;
         let t194 = work.t101 + t193;
         let t195 = work.t102.wrapping_sub(1).min(40);
@@ -761,38 +761,38 @@ impl Observer {
         let t298 = work.t271 + t297;
         let t300 = 8.778_847e-6 * t289;
         let t301 = work.t274 + t300;
-        let t302 = work.t86 + work.t279;
+        let t302 = work.t086 + work.t279;
         let t303 = t302 + work.t252;
         let t304 = t303 + t292;
-        let t305 = work.t90 + work.t282;
+        let t305 = work.t090 + work.t282;
         let t306 = t305 + work.t255;
         let t307 = t306 + t295;
-        let t308 = work.t94 + work.t285;
+        let t308 = work.t094 + work.t285;
         let t309 = t308 + work.t258;
         let t310 = t309 + t298;
-        let t311 = work.t98 + t288;
+        let t311 = work.t098 + t288;
         let t312 = t311 + work.t261;
         let t313 = t312 + t301;
 
         // the next measurement, as far as it is known
-        self.ahead_camera[work.t15.min(3)] = t304;
-        let t314 = if work.t15 < 3 { work.t15 + 1 } else { 0 };
+        self.ahead_camera[work.t015.min(3)] = t304;
+        let t314 = if work.t015 < 3 { work.t015 + 1 } else { 0 };
         self.ahead_camera_slot = t314;
         let t316 = 0.258_096_25 * t307;
         let t318 = 0.001_356_897_8 * t310;
         let t320 = 0.740_818_2 * t313;
-        let t322 = -0.000_542_759_1 * work.t30;
+        let t322 = -0.000_542_759_1 * work.t030;
         let t323 = t316 + t318;
         let t324 = t323 + t320;
         let t325 = t324 + t322;
         self.ahead_wheel = t325;
 
         // the estimate; until the window is full, the start
-        let t326 = 40 < work.t75;
+        let t326 = 40 < work.t075;
         work.t327 = if t326 { t304 } else { 0.0 };
         work.t328 = if t326 { t307 } else { 0.0 };
         work.t329 = if t326 { t310 } else { 0.0 };
-        work.t330 = if t326 { t313 } else { work.t48 };
+        work.t330 = if t326 { t313 } else { work.t048 };
         let t331 = self.coasting;
         let t332 = t331 == 0;
         let t336 = if t332 { Status::Converged } else { Status::Coasting };

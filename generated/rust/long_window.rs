@@ -8183,20 +8183,20 @@ static OLDEST: [[f32; 6]; 50] = [
 
 /// What one part of a step hands to the next.
 struct Work {
-    t10: f32,
-    t11: usize,
-    t14: f32,
-    t21: f32,
-    t32: f32,
-    t39: usize,
-    t46: usize,
-    t51: usize,
-    t59: f32,
-    t65: f32,
-    t89: f32,
-    t91: f32,
-    t93: f32,
-    t95: f32,
+    t010: f32,
+    t011: usize,
+    t014: f32,
+    t021: f32,
+    t032: f32,
+    t039: usize,
+    t046: usize,
+    t051: usize,
+    t059: f32,
+    t065: f32,
+    t089: f32,
+    t091: f32,
+    t093: f32,
+    t095: f32,
     t169: f32,
     t173: f32,
     t180: f32,
@@ -8207,20 +8207,20 @@ struct Work {
 impl Work {
     /// Before the first part.
     const EMPTY: Self = Self {
-        t10: 0.0,
-        t11: 0,
-        t14: 0.0,
-        t21: 0.0,
-        t32: 0.0,
-        t39: 0,
-        t46: 0,
-        t51: 0,
-        t59: 0.0,
-        t65: 0.0,
-        t89: 0.0,
-        t91: 0.0,
-        t93: 0.0,
-        t95: 0.0,
+        t010: 0.0,
+        t011: 0,
+        t014: 0.0,
+        t021: 0.0,
+        t032: 0.0,
+        t039: 0,
+        t046: 0,
+        t051: 0,
+        t059: 0.0,
+        t065: 0.0,
+        t089: 0.0,
+        t091: 0.0,
+        t093: 0.0,
+        t095: 0.0,
         t169: 0.0,
         t173: 0.0,
         t180: 0.0,
@@ -8269,129 +8269,129 @@ impl Observer {
     /// Part 1 of a step.
     fn part_1(&mut self, measurements: Measurements, inputs: Inputs, work: &mut Work) {
         // samples: outside its range, infinite or NaN means missing
-        let t0 = self.newest;
-        let t1 = t0.min(2000);
-        let t2 = self.count;
-        let t4 = 2000 < t2;
-        let t5 = measurements.sway;
-        let t6 = (-1.0..=1.0).contains(&t5);
-        let t7 = inputs.trolley;
-        let t8 = (-1e36..=1e36).contains(&t7);
-        let t9 = self.trolley[t1];
-        work.t10 = if t8 { t7 } else { t9 };
+        let t000 = self.newest;
+        let t001 = t000.min(2000);
+        let t002 = self.count;
+        let t004 = 2000 < t002;
+        let t005 = measurements.sway;
+        let t006 = (-1.0..=1.0).contains(&t005);
+        let t007 = inputs.trolley;
+        let t008 = (-1e36..=1e36).contains(&t007);
+        let t009 = self.trolley[t001];
+        work.t010 = if t008 { t007 } else { t009 };
 
         // prediction, for a sample that is missing
-        work.t11 = if t1 < 2000 { t1 + 1 } else { 0 };
-        let t12 = self.ahead_sway;
-        work.t14 = -3.333_222_2e-7 * work.t10;
-        let t15 = t12 + work.t14;
-        let t16 = self.sway[t1];
-        let t17 = (-1.0..=1.0).contains(&t15);
-        let t18 = t4 && t17;
-        let t19 = if t18 { t15 } else { t16 };
-        let t20 = if t6 { t5 } else { t19 };
-        work.t21 = ::deadbeat::math::sin_f32(t20);
-        let t22 = self.sin_sway[t1];
-        let t23 = work.t21 - t22;
-        let t25 = -1.089_972_8e-6 * t23;
-        let t26 = t15 + t25;
-        let t27 = (-1.0..=1.0).contains(&t26);
-        let t28 = t4 && t27;
-        let t29 = if t28 { t26 } else { t16 };
-        let t30 = t6 || t28;
-        let t31 = !t30;
-        work.t32 = if t6 { t5 } else { t29 };
+        work.t011 = if t001 < 2000 { t001 + 1 } else { 0 };
+        let t012 = self.ahead_sway;
+        work.t014 = -3.333_222_2e-7 * work.t010;
+        let t015 = t012 + work.t014;
+        let t016 = self.sway[t001];
+        let t017 = (-1.0..=1.0).contains(&t015);
+        let t018 = t004 && t017;
+        let t019 = if t018 { t015 } else { t016 };
+        let t020 = if t006 { t005 } else { t019 };
+        work.t021 = ::deadbeat::math::sin_f32(t020);
+        let t022 = self.sin_sway[t001];
+        let t023 = work.t021 - t022;
+        let t025 = -1.089_972_8e-6 * t023;
+        let t026 = t015 + t025;
+        let t027 = (-1.0..=1.0).contains(&t026);
+        let t028 = t004 && t027;
+        let t029 = if t028 { t026 } else { t016 };
+        let t030 = t006 || t028;
+        let t031 = !t030;
+        work.t032 = if t006 { t005 } else { t029 };
 
         // how much of the window is good
-        let t35 = if t2 < 2001 { t2 + 1 } else { 2001 };
-        let t36 = if t31 { 0 } else { t35 };
-        let t37 = if t8 { t35 } else { 1 };
-        let t38 = if t6 { t37 } else { 0 };
-        work.t39 = if t4 { t36 } else { t38 };
-        self.count = work.t39;
-        let t40 = self.coasting;
-        let t41 = t40.saturating_sub(1);
-        let t42 = if t8 { t41 } else { 2000 };
-        let t44 = if t6 { t42 } else { 2001 };
-        self.coasting = t44;
+        let t035 = if t002 < 2001 { t002 + 1 } else { 2001 };
+        let t036 = if t031 { 0 } else { t035 };
+        let t037 = if t008 { t035 } else { 1 };
+        let t038 = if t006 { t037 } else { 0 };
+        work.t039 = if t004 { t036 } else { t038 };
+        self.count = work.t039;
+        let t040 = self.coasting;
+        let t041 = t040.saturating_sub(1);
+        let t042 = if t008 { t041 } else { 2000 };
+        let t044 = if t006 { t042 } else { 2001 };
+        self.coasting = t044;
 
         // into the window
-        self.newest = work.t11;
-        self.sway[work.t11.min(2000)] = work.t32;
-        self.trolley[work.t11.min(2000)] = work.t10;
-        self.sin_sway[work.t11.min(2000)] = work.t21;
+        self.newest = work.t011;
+        self.sway[work.t011.min(2000)] = work.t032;
+        self.trolley[work.t011.min(2000)] = work.t010;
+        self.sin_sway[work.t011.min(2000)] = work.t021;
     }
 
     /// Part 2 of a step.
     fn part_2(&mut self, work: &mut Work) {
         // the newest block
-        let t45 = self.place;
-        work.t46 = if t45 < 49 { t45 + 1 } else { 0 };
-        let t47 = work.t46 == 0;
-        let t48 = self.block;
-        let t49 = t48.min(39);
-        let t50 = if t49 < 39 { t49 + 1 } else { 0 };
-        work.t51 = if t47 { t50 } else { t49 };
-        self.place = work.t46;
-        self.block = work.t51;
-        let t53 = self.copy_sway[work.t51.min(39)];
-        let t54 = if t47 { 0.0 } else { t53 };
-        let t55 = self.copy_rate[work.t51.min(39)];
-        let t56 = if t47 { 0.0 } else { t55 };
-        let t57 = -1.089_972_8e-6 * work.t21;
-        let t58 = t54 + work.t14;
-        work.t59 = t58 + t57;
-        let t61 = -0.000_333_316_65 * work.t10;
-        let t63 = -0.001_634_945_5 * work.t21;
-        let t64 = t56 + t61;
-        work.t65 = t64 + t63;
-        let t66 = work.t32 - work.t59;
-        let t67 = self.statistic[work.t51.min(39)];
-        let t68 = if t47 { 0.0 } else { t67 };
-        let t69 = BLOCK[work.t46.min(49)][0];
-        let t70 = t69 * t66;
-        let t71 = t68 + t70;
-        self.statistic[work.t51.min(39)] = t71;
-        let t72 = self.statistic_2[work.t51.min(39)];
-        let t73 = if t47 { 0.0 } else { t72 };
-        let t74 = BLOCK[work.t46.min(49)][1];
-        let t75 = t74 * t66;
-        let t76 = t73 + t75;
-        self.statistic_2[work.t51.min(39)] = t76;
-        let t78 = 0.001_999_9 * work.t65;
-        let t79 = work.t59 + t78;
-        let t81 = -2.179_918_3e-6 * work.t21;
-        let t82 = t79 + t81;
-        let t84 = 0.9999 * work.t65;
-        let t86 = -0.001_634_891 * work.t21;
-        let t87 = t84 + t86;
-        self.copy_sway[work.t51.min(39)] = t82;
-        self.copy_rate[work.t51.min(39)] = t87;
-        let t88 = BLOCK[work.t46.min(49)][2];
-        work.t89 = t88 * t71;
-        let t90 = BLOCK[work.t46.min(49)][3];
-        work.t91 = t90 * t76;
-        let t92 = BLOCK[work.t46.min(49)][4];
-        work.t93 = t92 * t71;
-        let t94 = BLOCK[work.t46.min(49)][5];
-        work.t95 = t94 * t76;
+        let t045 = self.place;
+        work.t046 = if t045 < 49 { t045 + 1 } else { 0 };
+        let t047 = work.t046 == 0;
+        let t048 = self.block;
+        let t049 = t048.min(39);
+        let t050 = if t049 < 39 { t049 + 1 } else { 0 };
+        work.t051 = if t047 { t050 } else { t049 };
+        self.place = work.t046;
+        self.block = work.t051;
+        let t053 = self.copy_sway[work.t051.min(39)];
+        let t054 = if t047 { 0.0 } else { t053 };
+        let t055 = self.copy_rate[work.t051.min(39)];
+        let t056 = if t047 { 0.0 } else { t055 };
+        let t057 = -1.089_972_8e-6 * work.t021;
+        let t058 = t054 + work.t014;
+        work.t059 = t058 + t057;
+        let t061 = -0.000_333_316_65 * work.t010;
+        let t063 = -0.001_634_945_5 * work.t021;
+        let t064 = t056 + t061;
+        work.t065 = t064 + t063;
+        let t066 = work.t032 - work.t059;
+        let t067 = self.statistic[work.t051.min(39)];
+        let t068 = if t047 { 0.0 } else { t067 };
+        let t069 = BLOCK[work.t046.min(49)][0];
+        let t070 = t069 * t066;
+        let t071 = t068 + t070;
+        self.statistic[work.t051.min(39)] = t071;
+        let t072 = self.statistic_2[work.t051.min(39)];
+        let t073 = if t047 { 0.0 } else { t072 };
+        let t074 = BLOCK[work.t046.min(49)][1];
+        let t075 = t074 * t066;
+        let t076 = t073 + t075;
+        self.statistic_2[work.t051.min(39)] = t076;
+        let t078 = 0.001_999_9 * work.t065;
+        let t079 = work.t059 + t078;
+        let t081 = -2.179_918_3e-6 * work.t021;
+        let t082 = t079 + t081;
+        let t084 = 0.9999 * work.t065;
+        let t086 = -0.001_634_891 * work.t021;
+        let t087 = t084 + t086;
+        self.copy_sway[work.t051.min(39)] = t082;
+        self.copy_rate[work.t051.min(39)] = t087;
+        let t088 = BLOCK[work.t046.min(49)][2];
+        work.t089 = t088 * t071;
+        let t090 = BLOCK[work.t046.min(49)][3];
+        work.t091 = t090 * t076;
+        let t092 = BLOCK[work.t046.min(49)][4];
+        work.t093 = t092 * t071;
+        let t094 = BLOCK[work.t046.min(49)][5];
+        work.t095 = t094 * t076;
     }
 
     /// Part 3 of a step.
     fn part_3(&mut self, work: &mut Work) {
         // whole blocks, newest first
-        let t96 = self.row;
-        let t97 = t96.min(1949);
-        let t98 = work.t51.wrapping_sub(1).min(39);
-        let mut t99: f32 = 0.0;
+        let t096 = self.row;
+        let t097 = t096.min(1949);
+        let t098 = work.t051.wrapping_sub(1).min(39);
+        let mut t099: f32 = 0.0;
         let mut t100: f32 = 0.0;
-        let mut t101: usize = t98;
-        let mut t102: usize = t97;
+        let mut t101: usize = t098;
+        let mut t102: usize = t097;
         for _ in 0..39 {
             let t103 = self.statistic[t101];
             let t104 = WHOLE[t102.min(1949)][0];
             let t105 = t104 * t103;
-            let t106 = t99 + t105;
+            let t106 = t099 + t105;
             let t107 = self.statistic_2[t101];
             let t108 = WHOLE[t102.min(1949)][1];
             let t109 = t108 * t107;
@@ -8418,7 +8418,7 @@ impl Observer {
             let t130 = t127 + t129;
             let t131 = t101.wrapping_sub(1).min(39);
             let t132 = if t102 < 1949 { t102 + 1 } else { 0 };
-            t99 = t118;
+            t099 = t118;
             t100 = t130;
             t101 = t131;
             t102 = t132;
@@ -8426,13 +8426,13 @@ impl Observer {
         self.row = t102;
 
         // the oldest block, oldest sample first; a sample that a whole block holds counts nothing
-        let t133 = if work.t11 < 2000 { work.t11 + 1 } else { 0 };
+        let t133 = if work.t011 < 2000 { work.t011 + 1 } else { 0 };
         let mut t135: f32 = 0.0;
         let mut t136: f32 = 0.0;
         let mut t137: usize = t133;
         let mut t138: usize = 49;
         for gains in &OLDEST {
-            let t139 = t138 < work.t46;
+            let t139 = t138 < work.t046;
             let t140 = self.sway[t137.min(2000)];
             let t141 = if t139 { 0.0 } else { t140 };
             let t142 = gains[0];
@@ -8464,12 +8464,12 @@ impl Observer {
             t137 = t164;
             t138 = t165;
         }
-        let t166 = work.t59 + work.t89;
-        let t167 = work.t91 + t99;
+        let t166 = work.t059 + work.t089;
+        let t167 = work.t091 + t099;
         let t168 = t167 + t135;
         work.t169 = t166 + t168;
-        let t170 = work.t65 + work.t93;
-        let t171 = work.t95 + t100;
+        let t170 = work.t065 + work.t093;
+        let t171 = work.t095 + t100;
         let t172 = t171 + t136;
         work.t173 = t170 + t172;
     }
@@ -8478,14 +8478,14 @@ impl Observer {
     fn part_4(&mut self, work: &mut Work) {
         // the next measurement, as far as it is known
         let t174 = 0.001_999_9 * work.t173;
-        let t176 = -3.269_891e-6 * work.t21;
+        let t176 = -3.269_891e-6 * work.t021;
         let t177 = work.t169 + t174;
         let t178 = t177 + t176;
         self.ahead_sway = t178;
 
         // the estimate; until the window is full, the start
-        let t179 = 2000 < work.t39;
-        work.t180 = if t179 { work.t169 } else { work.t32 };
+        let t179 = 2000 < work.t039;
+        work.t180 = if t179 { work.t169 } else { work.t032 };
         work.t181 = if t179 { work.t173 } else { 0.0 };
         let t182 = self.coasting;
         let t183 = t182 == 0;

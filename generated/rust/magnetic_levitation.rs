@@ -142,9 +142,9 @@ static WINDOW: [[f32; 6]; 40] = [
 
 /// What one part of a step hands to the next.
 struct Work {
-    t11: usize,
-    t44: f32,
-    t53: usize,
+    t011: usize,
+    t044: f32,
+    t053: usize,
     t107: f32,
     t108: f32,
     t115: Status,
@@ -153,9 +153,9 @@ struct Work {
 impl Work {
     /// Before the first part.
     const EMPTY: Self = Self {
-        t11: 0,
-        t44: 0.0,
-        t53: 0,
+        t011: 0,
+        t044: 0.0,
+        t053: 0,
         t107: 0.0,
         t108: 0.0,
         t115: Status::Converging,
@@ -194,134 +194,134 @@ impl Observer {
     /// Part 1 of a step.
     fn part_1(&mut self, measurements: Measurements, inputs: Inputs, work: &mut Work) {
         // samples: outside its range, infinite or NaN means missing
-        let t0 = self.newest;
-        let t1 = t0.min(40);
-        let t2 = self.count;
-        let t4 = 40 < t2;
-        let t5 = measurements.gap;
-        let t6 = (0.001..=0.03).contains(&t5);
-        let t7 = inputs.current;
-        let t8 = (-1e34..=1e34).contains(&t7);
-        let t9 = self.last_current;
-        let t10 = if t8 { t7 } else { t9 };
-        self.last_current = t10;
+        let t000 = self.newest;
+        let t001 = t000.min(40);
+        let t002 = self.count;
+        let t004 = 40 < t002;
+        let t005 = measurements.gap;
+        let t006 = (0.001..=0.03).contains(&t005);
+        let t007 = inputs.current;
+        let t008 = (-1e34..=1e34).contains(&t007);
+        let t009 = self.last_current;
+        let t010 = if t008 { t007 } else { t009 };
+        self.last_current = t010;
 
         // prediction, for a sample that is missing
-        work.t11 = if t1 < 40 { t1 + 1 } else { 0 };
-        let t12 = t10 * t10;
-        let t14 = self.gap[t1];
-        let t15 = t14 * t14;
-        let t16 = 0.136 * t15;
-        let t17 = t12 / t16;
-        let t18 = (-1e34..=1e34).contains(&t17);
-        let t19 = self.injection[t1];
-        let t20 = if t18 { t17 } else { t19 };
-        let t21 = self.ahead_gap;
-        let t23 = -3.265e-13 * t20;
-        let t24 = t21 + t23;
-        let t25 = (0.001..=0.03).contains(&t24);
-        let t26 = t4 && t25;
-        let t27 = if t26 { t24 } else { t14 };
-        let t28 = if t6 { t5 } else { t27 };
-        let t29 = t28 * t28;
-        let t30 = 0.136 * t29;
-        let t31 = t12 / t30;
-        let t32 = (-1e34..=1e34).contains(&t31);
-        let t33 = self.injection_2[t1];
-        let t34 = if t32 { t31 } else { t33 };
-        let t35 = t34 - t20;
-        let t37 = -1.088_333_3e-13 * t35;
-        let t38 = t24 + t37;
-        let t39 = (0.001..=0.03).contains(&t38);
-        let t40 = t4 && t39;
-        let t41 = if t40 { t38 } else { t14 };
-        let t42 = t6 || t40;
-        let t43 = !t42;
-        work.t44 = if t6 { t5 } else { t41 };
-        let t45 = t8 && t18;
-        let t46 = t45 && t32;
+        work.t011 = if t001 < 40 { t001 + 1 } else { 0 };
+        let t012 = t010 * t010;
+        let t014 = self.gap[t001];
+        let t015 = t014 * t014;
+        let t016 = 0.136 * t015;
+        let t017 = t012 / t016;
+        let t018 = (-1e34..=1e34).contains(&t017);
+        let t019 = self.injection[t001];
+        let t020 = if t018 { t017 } else { t019 };
+        let t021 = self.ahead_gap;
+        let t023 = -3.265e-13 * t020;
+        let t024 = t021 + t023;
+        let t025 = (0.001..=0.03).contains(&t024);
+        let t026 = t004 && t025;
+        let t027 = if t026 { t024 } else { t014 };
+        let t028 = if t006 { t005 } else { t027 };
+        let t029 = t028 * t028;
+        let t030 = 0.136 * t029;
+        let t031 = t012 / t030;
+        let t032 = (-1e34..=1e34).contains(&t031);
+        let t033 = self.injection_2[t001];
+        let t034 = if t032 { t031 } else { t033 };
+        let t035 = t034 - t020;
+        let t037 = -1.088_333_3e-13 * t035;
+        let t038 = t024 + t037;
+        let t039 = (0.001..=0.03).contains(&t038);
+        let t040 = t004 && t039;
+        let t041 = if t040 { t038 } else { t014 };
+        let t042 = t006 || t040;
+        let t043 = !t042;
+        work.t044 = if t006 { t005 } else { t041 };
+        let t045 = t008 && t018;
+        let t046 = t045 && t032;
 
         // how much of the window is good
-        let t49 = if t2 < 41 { t2 + 1 } else { 41 };
-        let t50 = if t43 { 0 } else { t49 };
-        let t51 = if t46 { t49 } else { 1 };
-        let t52 = if t6 { t51 } else { 0 };
-        work.t53 = if t4 { t50 } else { t52 };
-        self.count = work.t53;
-        let t54 = self.coasting;
-        let t55 = t54.saturating_sub(1);
-        let t56 = if t46 { t55 } else { 40 };
-        let t58 = if t6 { t56 } else { 41 };
-        self.coasting = t58;
+        let t049 = if t002 < 41 { t002 + 1 } else { 41 };
+        let t050 = if t043 { 0 } else { t049 };
+        let t051 = if t046 { t049 } else { 1 };
+        let t052 = if t006 { t051 } else { 0 };
+        work.t053 = if t004 { t050 } else { t052 };
+        self.count = work.t053;
+        let t054 = self.coasting;
+        let t055 = t054.saturating_sub(1);
+        let t056 = if t046 { t055 } else { 40 };
+        let t058 = if t006 { t056 } else { 41 };
+        self.coasting = t058;
 
         // into the window
-        self.newest = work.t11;
-        self.gap[work.t11.min(40)] = work.t44;
-        self.injection[work.t11.min(40)] = t20;
-        self.injection_2[work.t11.min(40)] = t34;
+        self.newest = work.t011;
+        self.gap[work.t011.min(40)] = work.t044;
+        self.injection[work.t011.min(40)] = t020;
+        self.injection_2[work.t011.min(40)] = t034;
     }
 
     /// Part 2 of a step.
     fn part_2(&mut self, work: &mut Work) {
         // the sums over the window, newest sample first
-        let mut t60: f32 = 0.0;
-        let mut t61: f32 = 0.0;
-        let mut t62: f32 = 0.0;
-        let mut t63: f32 = 0.0;
-        let mut t64: f32 = 0.0;
-        let mut t65: f32 = 0.0;
-        let mut t66: usize = work.t11;
+        let mut t060: f32 = 0.0;
+        let mut t061: f32 = 0.0;
+        let mut t062: f32 = 0.0;
+        let mut t063: f32 = 0.0;
+        let mut t064: f32 = 0.0;
+        let mut t065: f32 = 0.0;
+        let mut t066: usize = work.t011;
         for gains in &WINDOW {
-            let t67 = self.gap[t66.min(40)];
-            let t68 = gains[0];
-            let t69 = t68 * t67;
-            let t70 = t60 + t69;
-            let t71 = gains[1];
-            let t72 = t71 * t67;
-            let t73 = t63 + t72;
-            let t74 = self.injection[t66.min(40)];
-            let t75 = gains[2];
-            let t76 = t75 * t74;
-            let t77 = t61 + t76;
-            let t78 = gains[3];
-            let t79 = t78 * t74;
-            let t80 = t64 + t79;
-            let t81 = self.injection_2[t66.min(40)];
-            let t82 = gains[4];
-            let t83 = t82 * t81;
-            let t84 = t62 + t83;
-            let t85 = gains[5];
-            let t86 = t85 * t81;
-            let t87 = t65 + t86;
-            let t88 = t66.wrapping_sub(1).min(40);
-            t60 = t70;
-            t61 = t77;
-            t62 = t84;
-            t63 = t73;
-            t64 = t80;
-            t65 = t87;
-            t66 = t88;
+            let t067 = self.gap[t066.min(40)];
+            let t068 = gains[0];
+            let t069 = t068 * t067;
+            let t070 = t060 + t069;
+            let t071 = gains[1];
+            let t072 = t071 * t067;
+            let t073 = t063 + t072;
+            let t074 = self.injection[t066.min(40)];
+            let t075 = gains[2];
+            let t076 = t075 * t074;
+            let t077 = t061 + t076;
+            let t078 = gains[3];
+            let t079 = t078 * t074;
+            let t080 = t064 + t079;
+            let t081 = self.injection_2[t066.min(40)];
+            let t082 = gains[4];
+            let t083 = t082 * t081;
+            let t084 = t062 + t083;
+            let t085 = gains[5];
+            let t086 = t085 * t081;
+            let t087 = t065 + t086;
+            let t088 = t066.wrapping_sub(1).min(40);
+            t060 = t070;
+            t061 = t077;
+            t062 = t084;
+            t063 = t073;
+            t064 = t080;
+            t065 = t087;
+            t066 = t088;
         }
-        let t89 = self.gap[t66.min(40)];
-        let t90 = 0.0 * t89;
-        let t91 = t60 + t90;
-        let t93 = -250.0 * t89;
-        let t94 = t63 + t93;
-        let t95 = t91 + t61;
-        let t96 = t95 + t62;
-        let t98 = t94 + t64;
-        let t99 = t98 + t65;
-        let t100 = t99 + 0.01962;
+        let t089 = self.gap[t066.min(40)];
+        let t090 = 0.0 * t089;
+        let t091 = t060 + t090;
+        let t093 = -250.0 * t089;
+        let t094 = t063 + t093;
+        let t095 = t091 + t061;
+        let t096 = t095 + t062;
+        let t098 = t094 + t064;
+        let t099 = t098 + t065;
+        let t100 = t099 + 0.01962;
 
         // the next measurement, as far as it is known
         let t102 = 0.0001 * t100;
-        let t104 = t96 + t102;
+        let t104 = t096 + t102;
         let t105 = t104 + 4.905e-8;
         self.ahead_gap = t105;
 
         // the estimate; until the window is full, the start
-        let t106 = 40 < work.t53;
-        work.t107 = if t106 { t96 } else { work.t44 };
+        let t106 = 40 < work.t053;
+        work.t107 = if t106 { t096 } else { work.t044 };
         work.t108 = if t106 { t100 } else { 0.0 };
         let t109 = self.coasting;
         let t110 = t109 == 0;

@@ -1650,26 +1650,26 @@ static WINDOW_4: [[f64; 12]; 60] = [
 
 /// What one part of a step hands to the next.
 struct Work {
-    t1: usize,
-    t2: usize,
-    t5: f64,
-    t7: f64,
-    t9: f64,
-    t14: f64,
-    t15: usize,
-    t34: f64,
-    t38: f64,
-    t42: f64,
-    t84: usize,
-    t91: f64,
-    t92: f64,
-    t93: f64,
-    t94: f64,
-    t95: f64,
-    t96: f64,
-    t97: f64,
-    t98: f64,
-    t99: f64,
+    t001: usize,
+    t002: usize,
+    t005: f64,
+    t007: f64,
+    t009: f64,
+    t014: f64,
+    t015: usize,
+    t034: f64,
+    t038: f64,
+    t042: f64,
+    t084: usize,
+    t091: f64,
+    t092: f64,
+    t093: f64,
+    t094: f64,
+    t095: f64,
+    t096: f64,
+    t097: f64,
+    t098: f64,
+    t099: f64,
     t100: f64,
     t101: f64,
     t102: f64,
@@ -1729,26 +1729,26 @@ struct Work {
 impl Work {
     /// Before the first part.
     const EMPTY: Self = Self {
-        t1: 0,
-        t2: 0,
-        t5: 0.0,
-        t7: 0.0,
-        t9: 0.0,
-        t14: 0.0,
-        t15: 0,
-        t34: 0.0,
-        t38: 0.0,
-        t42: 0.0,
-        t84: 0,
-        t91: 0.0,
-        t92: 0.0,
-        t93: 0.0,
-        t94: 0.0,
-        t95: 0.0,
-        t96: 0.0,
-        t97: 0.0,
-        t98: 0.0,
-        t99: 0.0,
+        t001: 0,
+        t002: 0,
+        t005: 0.0,
+        t007: 0.0,
+        t009: 0.0,
+        t014: 0.0,
+        t015: 0,
+        t034: 0.0,
+        t038: 0.0,
+        t042: 0.0,
+        t084: 0,
+        t091: 0.0,
+        t092: 0.0,
+        t093: 0.0,
+        t094: 0.0,
+        t095: 0.0,
+        t096: 0.0,
+        t097: 0.0,
+        t098: 0.0,
+        t099: 0.0,
         t100: 0.0,
         t101: 0.0,
         t102: 0.0,
@@ -1857,155 +1857,155 @@ impl Observer {
     /// Part 1 of a step.
     fn part_1(&self, measurements: Measurements, inputs: Inputs, work: &mut Work) {
         // samples: outside its range, infinite or NaN means missing
-        let t0 = self.newest;
-        work.t1 = t0.min(60);
-        work.t2 = self.count;
-        work.flags[0] = 60 < work.t2;
-        work.t5 = measurements.first;
-        work.flags[1] = (-1e305..=1e305).contains(&work.t5);
-        work.t7 = measurements.third;
-        work.flags[2] = (-1e305..=1e305).contains(&work.t7);
-        work.t9 = measurements.last;
-        work.flags[3] = (-1e305..=1e305).contains(&work.t9);
-        let t11 = inputs.push;
-        work.flags[4] = (-1e305..=1e305).contains(&t11);
-        let t13 = self.push[work.t1.min(60)];
-        work.t14 = if work.flags[4] { t11 } else { t13 };
+        let t000 = self.newest;
+        work.t001 = t000.min(60);
+        work.t002 = self.count;
+        work.flags[0] = 60 < work.t002;
+        work.t005 = measurements.first;
+        work.flags[1] = (-1e305..=1e305).contains(&work.t005);
+        work.t007 = measurements.third;
+        work.flags[2] = (-1e305..=1e305).contains(&work.t007);
+        work.t009 = measurements.last;
+        work.flags[3] = (-1e305..=1e305).contains(&work.t009);
+        let t011 = inputs.push;
+        work.flags[4] = (-1e305..=1e305).contains(&t011);
+        let t013 = self.push[work.t001.min(60)];
+        work.t014 = if work.flags[4] { t011 } else { t013 };
     }
 
     /// Part 2 of a step.
     fn part_2(&mut self, work: &mut Work) {
         // prediction, for a sample that is missing
-        work.t15 = if work.t1 < 60 { work.t1 + 1 } else { 0 };
-        let t16 = self.ahead_first;
-        let t18 = 7.608_199_023_375_566e-20 * work.t14;
-        let t19 = t16 + t18;
-        let t20 = self.ahead_third;
-        let t22 = 1.682_574_280_815_165e-13 * work.t14;
-        let t23 = t20 + t22;
-        let t24 = self.ahead_last;
-        let t26 = 6.235_068_169_497_89e-5 * work.t14;
-        let t27 = t24 + t26;
-        let t28 = self.first[work.t1.min(60)];
-        let t29 = self.third[work.t1.min(60)];
-        let t30 = self.last[work.t1.min(60)];
-        let t31 = (-1e305..=1e305).contains(&t19);
-        let t32 = work.flags[0] && t31;
-        let t33 = if t32 { t19 } else { t28 };
-        work.t34 = if work.flags[1] { work.t5 } else { t33 };
-        let t35 = (-1e305..=1e305).contains(&t23);
-        let t36 = work.flags[0] && t35;
-        let t37 = if t36 { t23 } else { t29 };
-        work.t38 = if work.flags[2] { work.t7 } else { t37 };
-        let t39 = (-1e305..=1e305).contains(&t27);
-        let t40 = work.flags[0] && t39;
-        let t41 = if t40 { t27 } else { t30 };
-        work.t42 = if work.flags[3] { work.t9 } else { t41 };
-        let t43 = work.flags[1] || t32;
-        let t44 = !t43;
-        let t45 = work.flags[2] || t36;
-        let t46 = !t45;
-        let t47 = work.flags[3] || t40;
-        let t48 = !t47;
-        let t49 = self.missed_first;
-        let t50 = 60 < t49;
-        let t51 = !work.flags[1];
-        let t52 = t51 && t50;
-        let t54 = if t49 < 61 { t49 + 1 } else { 61 };
-        let t55 = if work.flags[1] { 0 } else { t54 };
-        self.missed_first = t55;
-        let t56 = self.missed_third;
-        let t57 = 60 < t56;
-        let t58 = !work.flags[2];
-        let t59 = t58 && t57;
-        let t60 = if t56 < 61 { t56 + 1 } else { 61 };
-        let t61 = if work.flags[2] { 0 } else { t60 };
-        self.missed_third = t61;
-        let t62 = self.missed_last;
-        let t63 = 60 < t62;
-        let t64 = !work.flags[3];
-        let t65 = t64 && t63;
-        let t66 = if t62 < 61 { t62 + 1 } else { 61 };
-        let t67 = if work.flags[3] { 0 } else { t66 };
-        self.missed_last = t67;
-        let t68 = t52 || t59;
-        let t69 = t68 || t65;
-        let t70 = t52 && t59;
-        let t71 = t70 && t65;
-        let t72 = !t71;
-        let t73 = t69 && t72;
-        let t74 = work.flags[1] && work.flags[2];
-        let t75 = t74 && work.flags[3];
-        let t76 = t44 || t46;
-        let t77 = t76 || t48;
-        let t78 = t77 || t73;
+        work.t015 = if work.t001 < 60 { work.t001 + 1 } else { 0 };
+        let t016 = self.ahead_first;
+        let t018 = 7.608_199_023_375_566e-20 * work.t014;
+        let t019 = t016 + t018;
+        let t020 = self.ahead_third;
+        let t022 = 1.682_574_280_815_165e-13 * work.t014;
+        let t023 = t020 + t022;
+        let t024 = self.ahead_last;
+        let t026 = 6.235_068_169_497_89e-5 * work.t014;
+        let t027 = t024 + t026;
+        let t028 = self.first[work.t001.min(60)];
+        let t029 = self.third[work.t001.min(60)];
+        let t030 = self.last[work.t001.min(60)];
+        let t031 = (-1e305..=1e305).contains(&t019);
+        let t032 = work.flags[0] && t031;
+        let t033 = if t032 { t019 } else { t028 };
+        work.t034 = if work.flags[1] { work.t005 } else { t033 };
+        let t035 = (-1e305..=1e305).contains(&t023);
+        let t036 = work.flags[0] && t035;
+        let t037 = if t036 { t023 } else { t029 };
+        work.t038 = if work.flags[2] { work.t007 } else { t037 };
+        let t039 = (-1e305..=1e305).contains(&t027);
+        let t040 = work.flags[0] && t039;
+        let t041 = if t040 { t027 } else { t030 };
+        work.t042 = if work.flags[3] { work.t009 } else { t041 };
+        let t043 = work.flags[1] || t032;
+        let t044 = !t043;
+        let t045 = work.flags[2] || t036;
+        let t046 = !t045;
+        let t047 = work.flags[3] || t040;
+        let t048 = !t047;
+        let t049 = self.missed_first;
+        let t050 = 60 < t049;
+        let t051 = !work.flags[1];
+        let t052 = t051 && t050;
+        let t054 = if t049 < 61 { t049 + 1 } else { 61 };
+        let t055 = if work.flags[1] { 0 } else { t054 };
+        self.missed_first = t055;
+        let t056 = self.missed_third;
+        let t057 = 60 < t056;
+        let t058 = !work.flags[2];
+        let t059 = t058 && t057;
+        let t060 = if t056 < 61 { t056 + 1 } else { 61 };
+        let t061 = if work.flags[2] { 0 } else { t060 };
+        self.missed_third = t061;
+        let t062 = self.missed_last;
+        let t063 = 60 < t062;
+        let t064 = !work.flags[3];
+        let t065 = t064 && t063;
+        let t066 = if t062 < 61 { t062 + 1 } else { 61 };
+        let t067 = if work.flags[3] { 0 } else { t066 };
+        self.missed_last = t067;
+        let t068 = t052 || t059;
+        let t069 = t068 || t065;
+        let t070 = t052 && t059;
+        let t071 = t070 && t065;
+        let t072 = !t071;
+        let t073 = t069 && t072;
+        let t074 = work.flags[1] && work.flags[2];
+        let t075 = t074 && work.flags[3];
+        let t076 = t044 || t046;
+        let t077 = t076 || t048;
+        let t078 = t077 || t073;
 
         // how much of the window is good
-        let t80 = if work.t2 < 61 { work.t2 + 1 } else { 61 };
-        let t81 = if t78 { 0 } else { t80 };
-        let t82 = if work.flags[4] { t80 } else { 1 };
-        let t83 = if t75 { t82 } else { 0 };
-        work.t84 = if work.flags[0] { t81 } else { t83 };
-        self.count = work.t84;
-        let t85 = self.coasting;
-        let t86 = t85.saturating_sub(1);
-        let t87 = if work.flags[4] { t86 } else { 60 };
-        let t89 = if t75 { t87 } else { 61 };
-        self.coasting = t89;
+        let t080 = if work.t002 < 61 { work.t002 + 1 } else { 61 };
+        let t081 = if t078 { 0 } else { t080 };
+        let t082 = if work.flags[4] { t080 } else { 1 };
+        let t083 = if t075 { t082 } else { 0 };
+        work.t084 = if work.flags[0] { t081 } else { t083 };
+        self.count = work.t084;
+        let t085 = self.coasting;
+        let t086 = t085.saturating_sub(1);
+        let t087 = if work.flags[4] { t086 } else { 60 };
+        let t089 = if t075 { t087 } else { 61 };
+        self.coasting = t089;
 
         // into the window
-        self.newest = work.t15;
-        self.first[work.t15.min(60)] = work.t34;
-        self.third[work.t15.min(60)] = work.t38;
-        self.last[work.t15.min(60)] = work.t42;
-        self.push[work.t15.min(60)] = work.t14;
+        self.newest = work.t015;
+        self.first[work.t015.min(60)] = work.t034;
+        self.third[work.t015.min(60)] = work.t038;
+        self.last[work.t015.min(60)] = work.t042;
+        self.push[work.t015.min(60)] = work.t014;
     }
 
     /// Part 3 of a step.
     fn part_3(&self, work: &mut Work) {
         // the sums over the window, newest sample first
-        work.t91 = 0.0;
-        work.t92 = 0.0;
-        work.t93 = 0.0;
-        work.t94 = 0.0;
-        work.t95 = 0.0;
-        work.t96 = 0.0;
-        work.t97 = 0.0;
-        work.t98 = 0.0;
-        work.t99 = 0.0;
+        work.t091 = 0.0;
+        work.t092 = 0.0;
+        work.t093 = 0.0;
+        work.t094 = 0.0;
+        work.t095 = 0.0;
+        work.t096 = 0.0;
+        work.t097 = 0.0;
+        work.t098 = 0.0;
+        work.t099 = 0.0;
         work.t100 = 0.0;
         work.t101 = 0.0;
         work.t102 = 0.0;
-        let mut t103: usize = work.t15;
+        let mut t103: usize = work.t015;
         for gains in &WINDOW {
             let t104 = self.first[t103.min(60)];
             let t105 = gains[0];
             let t106 = t105 * t104;
-            let t107 = work.t91 + t106;
+            let t107 = work.t091 + t106;
             let t108 = gains[1];
             let t109 = t108 * t104;
-            let t110 = work.t92 + t109;
+            let t110 = work.t092 + t109;
             let t111 = gains[2];
             let t112 = t111 * t104;
-            let t113 = work.t93 + t112;
+            let t113 = work.t093 + t112;
             let t114 = gains[3];
             let t115 = t114 * t104;
-            let t116 = work.t94 + t115;
+            let t116 = work.t094 + t115;
             let t117 = gains[4];
             let t118 = t117 * t104;
-            let t119 = work.t95 + t118;
+            let t119 = work.t095 + t118;
             let t120 = gains[5];
             let t121 = t120 * t104;
-            let t122 = work.t96 + t121;
+            let t122 = work.t096 + t121;
             let t123 = gains[6];
             let t124 = t123 * t104;
-            let t125 = work.t97 + t124;
+            let t125 = work.t097 + t124;
             let t126 = gains[7];
             let t127 = t126 * t104;
-            let t128 = work.t98 + t127;
+            let t128 = work.t098 + t127;
             let t129 = gains[8];
             let t130 = t129 * t104;
-            let t131 = work.t99 + t130;
+            let t131 = work.t099 + t130;
             let t132 = gains[9];
             let t133 = t132 * t104;
             let t134 = work.t100 + t133;
@@ -2016,15 +2016,15 @@ impl Observer {
             let t139 = t138 * t104;
             let t140 = work.t102 + t139;
             let t141 = t103.wrapping_sub(1).min(60);
-            work.t91 = t107;
-            work.t92 = t110;
-            work.t93 = t113;
-            work.t94 = t116;
-            work.t95 = t119;
-            work.t96 = t122;
-            work.t97 = t125;
-            work.t98 = t128;
-            work.t99 = t131;
+            work.t091 = t107;
+            work.t092 = t110;
+            work.t093 = t113;
+            work.t094 = t116;
+            work.t095 = t119;
+            work.t096 = t122;
+            work.t097 = t125;
+            work.t098 = t128;
+            work.t099 = t131;
             work.t100 = t134;
             work.t101 = t137;
             work.t102 = t140;
@@ -2034,19 +2034,19 @@ impl Observer {
 
     /// Part 4 of a step.
     fn part_4(&self, work: &mut Work) {
-        work.t142 = work.t91;
-        work.t143 = work.t92;
-        work.t144 = work.t93;
-        work.t145 = work.t94;
-        work.t146 = work.t95;
-        work.t147 = work.t96;
-        work.t148 = work.t97;
-        work.t149 = work.t98;
-        work.t150 = work.t99;
+        work.t142 = work.t091;
+        work.t143 = work.t092;
+        work.t144 = work.t093;
+        work.t145 = work.t094;
+        work.t146 = work.t095;
+        work.t147 = work.t096;
+        work.t148 = work.t097;
+        work.t149 = work.t098;
+        work.t150 = work.t099;
         work.t151 = work.t100;
         work.t152 = work.t101;
         work.t153 = work.t102;
-        let mut t154: usize = work.t15;
+        let mut t154: usize = work.t015;
         for gains in &WINDOW_2 {
             let t155 = self.third[t154.min(60)];
             let t156 = gains[0];
@@ -2116,7 +2116,7 @@ impl Observer {
         work.t202 = work.t151;
         work.t203 = work.t152;
         work.t204 = work.t153;
-        let mut t205: usize = work.t15;
+        let mut t205: usize = work.t015;
         for gains in &WINDOW_3 {
             let t206 = self.last[t205.min(60)];
             let t207 = gains[0];
@@ -2186,7 +2186,7 @@ impl Observer {
         work.t253 = work.t202;
         work.t254 = work.t203;
         work.t255 = work.t204;
-        let mut t256: usize = work.t15;
+        let mut t256: usize = work.t015;
         for gains in &WINDOW_4 {
             let t257 = self.push[t256.min(60)];
             let t258 = gains[0];
@@ -2319,13 +2319,13 @@ impl Observer {
         self.ahead_last = t399;
 
         // the estimate; until the window is full, the start
-        let t400 = 60 < work.t84;
-        work.t401 = if t400 { work.t244 } else { work.t34 };
+        let t400 = 60 < work.t084;
+        work.t401 = if t400 { work.t244 } else { work.t034 };
         work.t402 = if t400 { work.t245 } else { 0.0 };
-        work.t403 = if t400 { work.t246 } else { work.t38 };
+        work.t403 = if t400 { work.t246 } else { work.t038 };
         work.t404 = if t400 { work.t247 } else { 0.0 };
         work.t405 = if t400 { work.t248 } else { 0.0 };
-        work.t406 = if t400 { work.t249 } else { work.t42 };
+        work.t406 = if t400 { work.t249 } else { work.t042 };
         work.t407 = if t400 { work.t250 } else { 0.0 };
         work.t408 = if t400 { work.t251 } else { 0.0 };
         work.t409 = if t400 { work.t252 } else { 0.0 };

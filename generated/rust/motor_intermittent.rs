@@ -501,10 +501,10 @@ static WINDOW: [[f32; 7]; 100] = [
 
 /// What one part of a step hands to the next.
 struct Work {
-    t11: usize,
-    t21: f32,
-    t32: f32,
-    t47: usize,
+    t011: usize,
+    t021: f32,
+    t032: f32,
+    t047: usize,
     t119: f32,
     t120: f32,
     t121: f32,
@@ -514,10 +514,10 @@ struct Work {
 impl Work {
     /// Before the first part.
     const EMPTY: Self = Self {
-        t11: 0,
-        t21: 0.0,
-        t32: 0.0,
-        t47: 0,
+        t011: 0,
+        t021: 0.0,
+        t032: 0.0,
+        t047: 0,
         t119: 0.0,
         t120: 0.0,
         t121: 0.0,
@@ -558,143 +558,143 @@ impl Observer {
     /// Part 1 of a step.
     fn part_1(&mut self, measurements: Measurements, inputs: Inputs, work: &mut Work) {
         // samples: outside its range, infinite or NaN means missing
-        let t0 = self.newest;
-        let t1 = t0.min(100);
-        let t2 = self.count;
-        let t4 = 100 < t2;
-        let t5 = measurements.y;
-        let t6 = (-20.0..=20.0).contains(&t5);
-        let t7 = inputs.u;
-        let t8 = (-1e35..=1e35).contains(&t7);
-        let t9 = self.u[t1];
-        let t10 = if t8 { t7 } else { t9 };
+        let t000 = self.newest;
+        let t001 = t000.min(100);
+        let t002 = self.count;
+        let t004 = 100 < t002;
+        let t005 = measurements.y;
+        let t006 = (-20.0..=20.0).contains(&t005);
+        let t007 = inputs.u;
+        let t008 = (-1e35..=1e35).contains(&t007);
+        let t009 = self.u[t001];
+        let t010 = if t008 { t007 } else { t009 };
 
         // prediction, for a sample that is missing
-        work.t11 = if t1 < 100 { t1 + 1 } else { 0 };
-        let t12 = self.ahead_y;
-        let t14 = 9.516_694e-8 * t10;
-        let t15 = t12 + t14;
-        let t16 = self.y[t1];
-        let t17 = (-20.0..=20.0).contains(&t15);
-        let t18 = t4 && t17;
-        let t19 = if t18 { t15 } else { t16 };
-        let t20 = if t6 { t5 } else { t19 };
-        work.t21 = ::deadbeat::math::sin_f32(t20);
-        let t22 = self.sin_q[t1];
-        let t23 = work.t21 - t22;
-        let t25 = -5.831_721_4e-6 * t23;
-        let t26 = t15 + t25;
-        let t27 = (-20.0..=20.0).contains(&t26);
-        let t28 = t4 && t27;
-        let t29 = if t28 { t26 } else { t16 };
-        let t30 = t6 || t28;
-        let t31 = !t30;
-        work.t32 = if t6 { t5 } else { t29 };
-        let t34 = 0 < t2;
-        let t35 = self.since_y;
-        let t36 = if t35 < 8 { t35 + 1 } else { 8 };
-        let t37 = if t6 { 0 } else { t36 };
-        self.since_y = t37;
-        let t39 = t37 < 8;
-        let t40 = t34 && t39;
-        let t41 = t6 || t40;
+        work.t011 = if t001 < 100 { t001 + 1 } else { 0 };
+        let t012 = self.ahead_y;
+        let t014 = 9.516_694e-8 * t010;
+        let t015 = t012 + t014;
+        let t016 = self.y[t001];
+        let t017 = (-20.0..=20.0).contains(&t015);
+        let t018 = t004 && t017;
+        let t019 = if t018 { t015 } else { t016 };
+        let t020 = if t006 { t005 } else { t019 };
+        work.t021 = ::deadbeat::math::sin_f32(t020);
+        let t022 = self.sin_q[t001];
+        let t023 = work.t021 - t022;
+        let t025 = -5.831_721_4e-6 * t023;
+        let t026 = t015 + t025;
+        let t027 = (-20.0..=20.0).contains(&t026);
+        let t028 = t004 && t027;
+        let t029 = if t028 { t026 } else { t016 };
+        let t030 = t006 || t028;
+        let t031 = !t030;
+        work.t032 = if t006 { t005 } else { t029 };
+        let t034 = 0 < t002;
+        let t035 = self.since_y;
+        let t036 = if t035 < 8 { t035 + 1 } else { 8 };
+        let t037 = if t006 { 0 } else { t036 };
+        self.since_y = t037;
+        let t039 = t037 < 8;
+        let t040 = t034 && t039;
+        let t041 = t006 || t040;
 
         // how much of the window is good
-        let t43 = if t2 < 429 { t2 + 1 } else { 429 };
-        let t44 = if t31 { 0 } else { t43 };
-        let t45 = if t8 { t43 } else { 1 };
-        let t46 = if t41 { t45 } else { 0 };
-        work.t47 = if t4 { t44 } else { t46 };
-        self.count = work.t47;
-        let t48 = self.coasting;
-        let t49 = t48.saturating_sub(1);
-        let t50 = if t8 { t49 } else { 100 };
-        let t52 = if t41 { t50 } else { 429 };
-        self.coasting = t52;
+        let t043 = if t002 < 429 { t002 + 1 } else { 429 };
+        let t044 = if t031 { 0 } else { t043 };
+        let t045 = if t008 { t043 } else { 1 };
+        let t046 = if t041 { t045 } else { 0 };
+        work.t047 = if t004 { t044 } else { t046 };
+        self.count = work.t047;
+        let t048 = self.coasting;
+        let t049 = t048.saturating_sub(1);
+        let t050 = if t008 { t049 } else { 100 };
+        let t052 = if t041 { t050 } else { 429 };
+        self.coasting = t052;
 
         // into the window
-        self.newest = work.t11;
-        self.y[work.t11.min(100)] = work.t32;
-        self.u[work.t11.min(100)] = t10;
-        self.sin_q[work.t11.min(100)] = work.t21;
+        self.newest = work.t011;
+        self.y[work.t011.min(100)] = work.t032;
+        self.u[work.t011.min(100)] = t010;
+        self.sin_q[work.t011.min(100)] = work.t021;
     }
 
     /// Part 2 of a step.
     fn part_2(&mut self, work: &mut Work) {
         // the sums over the window, newest sample first
-        let mut t54: f32 = 0.0;
-        let mut t55: f32 = 0.0;
-        let mut t56: f32 = 0.0;
-        let mut t57: f32 = 0.0;
-        let mut t58: f32 = 0.0;
-        let mut t59: f32 = 0.0;
-        let mut t60: f32 = 0.0;
-        let mut t61: usize = work.t11;
+        let mut t054: f32 = 0.0;
+        let mut t055: f32 = 0.0;
+        let mut t056: f32 = 0.0;
+        let mut t057: f32 = 0.0;
+        let mut t058: f32 = 0.0;
+        let mut t059: f32 = 0.0;
+        let mut t060: f32 = 0.0;
+        let mut t061: usize = work.t011;
         for gains in &WINDOW {
-            let t62 = self.y[t61.min(100)];
-            let t63 = gains[0];
-            let t64 = t63 * t62;
-            let t65 = t54 + t64;
-            let t66 = gains[1];
-            let t67 = t66 * t62;
-            let t68 = t55 + t67;
-            let t69 = gains[2];
-            let t70 = t69 * t62;
-            let t71 = t58 + t70;
-            let t72 = self.u[t61.min(100)];
-            let t73 = gains[3];
-            let t74 = t73 * t72;
-            let t75 = t56 + t74;
-            let t76 = gains[4];
-            let t77 = t76 * t72;
-            let t78 = t59 + t77;
-            let t79 = self.sin_q[t61.min(100)];
-            let t80 = gains[5];
-            let t81 = t80 * t79;
-            let t82 = t57 + t81;
-            let t83 = gains[6];
-            let t84 = t83 * t79;
-            let t85 = t60 + t84;
-            let t86 = t61.wrapping_sub(1).min(100);
-            t54 = t65;
-            t55 = t68;
-            t56 = t75;
-            t57 = t82;
-            t58 = t71;
-            t59 = t78;
-            t60 = t85;
-            t61 = t86;
+            let t062 = self.y[t061.min(100)];
+            let t063 = gains[0];
+            let t064 = t063 * t062;
+            let t065 = t054 + t064;
+            let t066 = gains[1];
+            let t067 = t066 * t062;
+            let t068 = t055 + t067;
+            let t069 = gains[2];
+            let t070 = t069 * t062;
+            let t071 = t058 + t070;
+            let t072 = self.u[t061.min(100)];
+            let t073 = gains[3];
+            let t074 = t073 * t072;
+            let t075 = t056 + t074;
+            let t076 = gains[4];
+            let t077 = t076 * t072;
+            let t078 = t059 + t077;
+            let t079 = self.sin_q[t061.min(100)];
+            let t080 = gains[5];
+            let t081 = t080 * t079;
+            let t082 = t057 + t081;
+            let t083 = gains[6];
+            let t084 = t083 * t079;
+            let t085 = t060 + t084;
+            let t086 = t061.wrapping_sub(1).min(100);
+            t054 = t065;
+            t055 = t068;
+            t056 = t075;
+            t057 = t082;
+            t058 = t071;
+            t059 = t078;
+            t060 = t085;
+            t061 = t086;
         }
-        let t87 = self.y[t61.min(100)];
-        let t88 = 0.0 * t87;
-        let t89 = t54 + t88;
-        let t91 = 0.058_922_62 * t87;
-        let t92 = t55 + t91;
-        let t94 = -0.010_928_534 * t87;
-        let t95 = t58 + t94;
-        let t96 = self.sin_q[t61.min(100)];
-        let t98 = 3.437_915_3e-7 * t96;
-        let t99 = t57 + t98;
-        let t101 = -6.376_392e-8 * t96;
-        let t102 = t60 + t101;
-        let t103 = t92 + t56;
-        let t104 = t103 + t99;
-        let t105 = t95 + t59;
+        let t087 = self.y[t061.min(100)];
+        let t088 = 0.0 * t087;
+        let t089 = t054 + t088;
+        let t091 = 0.058_922_62 * t087;
+        let t092 = t055 + t091;
+        let t094 = -0.010_928_534 * t087;
+        let t095 = t058 + t094;
+        let t096 = self.sin_q[t061.min(100)];
+        let t098 = 3.437_915_3e-7 * t096;
+        let t099 = t057 + t098;
+        let t101 = -6.376_392e-8 * t096;
+        let t102 = t060 + t101;
+        let t103 = t092 + t056;
+        let t104 = t103 + t099;
+        let t105 = t095 + t059;
         let t106 = t105 + t102;
 
         // the next measurement, as far as it is known
         let t108 = 0.000_999_413_5 * t104;
         let t110 = 7.021_338e-6 * t106;
-        let t112 = -1.749_340_3e-5 * work.t21;
-        let t113 = t89 + t108;
+        let t112 = -1.749_340_3e-5 * work.t021;
+        let t113 = t089 + t108;
         let t114 = t113 + t110;
         let t115 = t114 + t112;
         self.ahead_y = t115;
 
         // the estimate; until the window is full, the start
-        let t116 = 100 < work.t47;
-        let t118 = 428 < work.t47;
-        work.t119 = if t116 { t89 } else { work.t32 };
+        let t116 = 100 < work.t047;
+        let t118 = 428 < work.t047;
+        work.t119 = if t116 { t089 } else { work.t032 };
         work.t120 = if t116 { t104 } else { 0.0 };
         work.t121 = if t116 { t106 } else { 0.0 };
         let t122 = self.coasting;

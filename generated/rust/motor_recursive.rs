@@ -114,16 +114,16 @@ pub struct Observer {
 
 /// What one part of a step hands to the next.
 struct Work {
-    t10: f32,
-    t11: usize,
-    t14: f32,
-    t21: f32,
-    t32: f32,
-    t39: usize,
-    t82: f32,
-    t83: f32,
-    t90: f32,
-    t96: f32,
+    t010: f32,
+    t011: usize,
+    t014: f32,
+    t021: f32,
+    t032: f32,
+    t039: usize,
+    t082: f32,
+    t083: f32,
+    t090: f32,
+    t096: f32,
     t148: f32,
     t157: f32,
     t174: f32,
@@ -137,16 +137,16 @@ struct Work {
 impl Work {
     /// Before the first part.
     const EMPTY: Self = Self {
-        t10: 0.0,
-        t11: 0,
-        t14: 0.0,
-        t21: 0.0,
-        t32: 0.0,
-        t39: 0,
-        t82: 0.0,
-        t83: 0.0,
-        t90: 0.0,
-        t96: 0.0,
+        t010: 0.0,
+        t011: 0,
+        t014: 0.0,
+        t021: 0.0,
+        t032: 0.0,
+        t039: 0,
+        t082: 0.0,
+        t083: 0.0,
+        t090: 0.0,
+        t096: 0.0,
         t148: 0.0,
         t157: 0.0,
         t174: 0.0,
@@ -198,176 +198,176 @@ impl Observer {
     /// Part 1 of a step.
     fn part_1(&mut self, measurements: Measurements, inputs: Inputs, work: &mut Work) {
         // samples: outside its range, infinite or NaN means missing
-        let t0 = self.newest;
-        let t1 = t0.min(100);
-        let t2 = self.count;
-        work.flags[0] = 100 < t2;
-        let t5 = measurements.y;
-        let t6 = (-1e34..=1e34).contains(&t5);
-        let t7 = inputs.u;
-        let t8 = (-1e34..=1e34).contains(&t7);
-        let t9 = self.u;
-        work.t10 = if t8 { t7 } else { t9 };
+        let t000 = self.newest;
+        let t001 = t000.min(100);
+        let t002 = self.count;
+        work.flags[0] = 100 < t002;
+        let t005 = measurements.y;
+        let t006 = (-1e34..=1e34).contains(&t005);
+        let t007 = inputs.u;
+        let t008 = (-1e34..=1e34).contains(&t007);
+        let t009 = self.u;
+        work.t010 = if t008 { t007 } else { t009 };
 
         // prediction, for a sample that is missing
-        work.t11 = if t1 < 100 { t1 + 1 } else { 0 };
-        let t12 = self.ahead_y;
-        work.t14 = 9.516_694e-8 * work.t10;
-        let t15 = t12 + work.t14;
-        let t16 = self.y;
-        let t17 = (-1e34..=1e34).contains(&t15);
-        let t18 = work.flags[0] && t17;
-        let t19 = if t18 { t15 } else { t16 };
-        let t20 = if t6 { t5 } else { t19 };
-        work.t21 = ::deadbeat::math::sin_f32(t20);
-        let t22 = self.sin_q;
-        let t23 = work.t21 - t22;
-        let t25 = -5.831_721_4e-6 * t23;
-        let t26 = t15 + t25;
-        let t27 = (-1e34..=1e34).contains(&t26);
-        let t28 = work.flags[0] && t27;
-        let t29 = if t28 { t26 } else { t16 };
-        let t30 = t6 || t28;
-        let t31 = !t30;
-        work.t32 = if t6 { t5 } else { t29 };
+        work.t011 = if t001 < 100 { t001 + 1 } else { 0 };
+        let t012 = self.ahead_y;
+        work.t014 = 9.516_694e-8 * work.t010;
+        let t015 = t012 + work.t014;
+        let t016 = self.y;
+        let t017 = (-1e34..=1e34).contains(&t015);
+        let t018 = work.flags[0] && t017;
+        let t019 = if t018 { t015 } else { t016 };
+        let t020 = if t006 { t005 } else { t019 };
+        work.t021 = ::deadbeat::math::sin_f32(t020);
+        let t022 = self.sin_q;
+        let t023 = work.t021 - t022;
+        let t025 = -5.831_721_4e-6 * t023;
+        let t026 = t015 + t025;
+        let t027 = (-1e34..=1e34).contains(&t026);
+        let t028 = work.flags[0] && t027;
+        let t029 = if t028 { t026 } else { t016 };
+        let t030 = t006 || t028;
+        let t031 = !t030;
+        work.t032 = if t006 { t005 } else { t029 };
 
         // how much of the window is good
-        let t35 = if t2 < 101 { t2 + 1 } else { 101 };
-        let t36 = if t31 { 0 } else { t35 };
-        let t37 = if t8 { t35 } else { 1 };
-        let t38 = if t6 { t37 } else { 0 };
-        work.t39 = if work.flags[0] { t36 } else { t38 };
-        self.count = work.t39;
-        let t40 = self.coasting;
-        let t41 = t40.saturating_sub(1);
-        let t42 = if t8 { t41 } else { 100 };
-        let t44 = if t6 { t42 } else { 101 };
-        self.coasting = t44;
+        let t035 = if t002 < 101 { t002 + 1 } else { 101 };
+        let t036 = if t031 { 0 } else { t035 };
+        let t037 = if t008 { t035 } else { 1 };
+        let t038 = if t006 { t037 } else { 0 };
+        work.t039 = if work.flags[0] { t036 } else { t038 };
+        self.count = work.t039;
+        let t040 = self.coasting;
+        let t041 = t040.saturating_sub(1);
+        let t042 = if t008 { t041 } else { 100 };
+        let t044 = if t006 { t042 } else { 101 };
+        self.coasting = t044;
 
         // into the window
-        self.newest = work.t11;
-        self.y = work.t32;
-        self.u = work.t10;
-        self.sin_q = work.t21;
+        self.newest = work.t011;
+        self.y = work.t032;
+        self.u = work.t010;
+        self.sin_q = work.t021;
     }
 
     /// Part 2 of a step.
     fn part_2(&mut self, work: &mut Work) {
         // copy and filter; they start with the first sample of a window
-        let t46 = work.t39 < 2;
-        let t48 = self.copy_q;
-        let t49 = self.copy_dq;
-        let t50 = self.copy_i;
-        let t51 = self.filter;
-        let t52 = self.filter_2;
-        let t53 = self.filter_3;
-        let t54 = self.filter_4;
-        let t55 = if t46 { 0.0 } else { t48 };
-        let t56 = if t46 { 0.0 } else { t49 };
-        let t57 = if t46 { 0.0 } else { t50 };
-        let t58 = if t46 { 0.0 } else { t51 };
-        let t59 = if t46 { 0.0 } else { t52 };
-        let t60 = if t46 { 0.0 } else { t53 };
-        let t61 = if t46 { 0.0 } else { t54 };
-        let t62 = self.innovation[work.t11.min(100)];
-        let t63 = if work.flags[0] { t62 } else { 0.0 };
-        let t64 = if t46 { 0.0 } else { t63 };
-        let t65 = -5.831_721_4e-6 * work.t21;
-        let t66 = t55 + work.t14;
-        let t67 = t66 + t65;
-        let t69 = 0.000_280_853_54 * work.t10;
-        let t71 = -0.017_493_403 * work.t21;
-        let t72 = t56 + t69;
-        let t73 = t72 + t71;
-        let t75 = 0.036_250_554 * work.t10;
-        let t77 = 0.000_202_071_13 * work.t21;
-        let t78 = t57 + t75;
-        let t79 = t78 + t77;
-        let t80 = if t46 { 0.0 } else { t67 };
-        let t81 = if t46 { 0.0 } else { t73 };
-        work.t82 = if t46 { 0.0 } else { t79 };
-        work.t83 = work.t32 - t80;
-        let t85 = 0.860_708 * t58;
-        let t86 = 0.860_708 * t60;
-        let t87 = t85 + t86;
-        let t89 = -8.146_846e-9 * t64;
-        work.t90 = t87 - t89;
-        self.filter = work.t90;
-        let t91 = 0.860_708 * t59;
-        let t92 = 0.860_708 * t61;
-        let t93 = t91 + t92;
-        let t95 = -5.436_976_4e-8 * t64;
-        work.t96 = t93 - t95;
-        self.filter_2 = work.t96;
-        let t98 = 0.741_342_84 * t60;
-        let t100 = 0.029_863_21 * t61;
-        let t101 = t98 + t100;
-        let t103 = 0.001_000_404_4 * work.t83;
+        let t046 = work.t039 < 2;
+        let t048 = self.copy_q;
+        let t049 = self.copy_dq;
+        let t050 = self.copy_i;
+        let t051 = self.filter;
+        let t052 = self.filter_2;
+        let t053 = self.filter_3;
+        let t054 = self.filter_4;
+        let t055 = if t046 { 0.0 } else { t048 };
+        let t056 = if t046 { 0.0 } else { t049 };
+        let t057 = if t046 { 0.0 } else { t050 };
+        let t058 = if t046 { 0.0 } else { t051 };
+        let t059 = if t046 { 0.0 } else { t052 };
+        let t060 = if t046 { 0.0 } else { t053 };
+        let t061 = if t046 { 0.0 } else { t054 };
+        let t062 = self.innovation[work.t011.min(100)];
+        let t063 = if work.flags[0] { t062 } else { 0.0 };
+        let t064 = if t046 { 0.0 } else { t063 };
+        let t065 = -5.831_721_4e-6 * work.t021;
+        let t066 = t055 + work.t014;
+        let t067 = t066 + t065;
+        let t069 = 0.000_280_853_54 * work.t010;
+        let t071 = -0.017_493_403 * work.t021;
+        let t072 = t056 + t069;
+        let t073 = t072 + t071;
+        let t075 = 0.036_250_554 * work.t010;
+        let t077 = 0.000_202_071_13 * work.t021;
+        let t078 = t057 + t075;
+        let t079 = t078 + t077;
+        let t080 = if t046 { 0.0 } else { t067 };
+        let t081 = if t046 { 0.0 } else { t073 };
+        work.t082 = if t046 { 0.0 } else { t079 };
+        work.t083 = work.t032 - t080;
+        let t085 = 0.860_708 * t058;
+        let t086 = 0.860_708 * t060;
+        let t087 = t085 + t086;
+        let t089 = -8.146_846e-9 * t064;
+        work.t090 = t087 - t089;
+        self.filter = work.t090;
+        let t091 = 0.860_708 * t059;
+        let t092 = 0.860_708 * t061;
+        let t093 = t091 + t092;
+        let t095 = -5.436_976_4e-8 * t064;
+        work.t096 = t093 - t095;
+        self.filter_2 = work.t096;
+        let t098 = 0.741_342_84 * t060;
+        let t100 = 0.029_863_21 * t061;
+        let t101 = t098 + t100;
+        let t103 = 0.001_000_404_4 * work.t083;
         let t104 = t101 + t103;
-        let t106 = -4.93195e-10 * t64;
+        let t106 = -4.93195e-10 * t064;
         let t107 = t104 - t106;
         self.filter_3 = t107;
-        let t109 = -0.012_306_268 * t60;
-        let t111 = 0.904_606 * t61;
+        let t109 = -0.012_306_268 * t060;
+        let t111 = 0.904_606 * t061;
         let t112 = t109 + t111;
-        let t114 = -8.028_295e-6 * work.t83;
+        let t114 = -8.028_295e-6 * work.t083;
         let t115 = t112 + t114;
-        let t117 = -2.658_611e-9 * t64;
+        let t117 = -2.658_611e-9 * t064;
         let t118 = t115 - t117;
         self.filter_4 = t118;
-        let t119 = 0.860_708 * t80;
-        let t121 = 0.000_999_413_5 * t81;
-        let t123 = 7.021_338e-6 * work.t82;
+        let t119 = 0.860_708 * t080;
+        let t121 = 0.000_999_413_5 * t081;
+        let t123 = 7.021_338e-6 * work.t082;
         let t124 = t119 + t121;
         let t125 = t124 + t123;
-        let t127 = 0.139_292_02 * work.t32;
+        let t127 = 0.139_292_02 * work.t032;
         let t128 = t125 + t127;
-        let t130 = -1.166_168_2e-5 * work.t21;
+        let t130 = -1.166_168_2e-5 * work.t021;
         let t131 = t128 + t130;
-        let t133 = 0.998_745 * t81;
-        let t135 = 0.013_586_936_5 * work.t82;
+        let t133 = 0.998_745 * t081;
+        let t135 = 0.013_586_936_5 * work.t082;
         let t136 = t133 + t135;
-        let t138 = -0.017_486_073 * work.t21;
+        let t138 = -0.017_486_073 * work.t021;
         let t139 = t136 + t138;
-        let t141 = -0.032_970_965 * t81;
-        let t143 = 0.818_491_64 * work.t82;
+        let t141 = -0.032_970_965 * t081;
+        let t143 = 0.818_491_64 * work.t082;
         let t144 = t141 + t143;
-        let t146 = 0.000_394_274_5 * work.t21;
+        let t146 = 0.000_394_274_5 * work.t021;
         let t147 = t144 + t146;
         self.copy_q = t131;
         self.copy_dq = t139;
         self.copy_i = t147;
-        work.t148 = t80 + work.t83;
-        let t150 = -359.093 * work.t90;
-        let t152 = 41.185_257 * work.t96;
-        let t153 = t81 + t150;
+        work.t148 = t080 + work.t083;
+        let t150 = -359.093 * work.t090;
+        let t152 = 41.185_257 * work.t096;
+        let t153 = t081 + t150;
         let t154 = t153 + t152;
-        let t156 = 144.68756 * work.t83;
+        let t156 = 144.68756 * work.t083;
         work.t157 = t154 + t156;
     }
 
     /// Part 3 of a step.
     fn part_3(&mut self, work: &mut Work) {
-        let t158 = 41.185_257 * work.t90;
-        let t160 = -7.099_819 * work.t96;
-        let t161 = work.t82 + t158;
+        let t158 = 41.185_257 * work.t090;
+        let t160 = -7.099_819 * work.t096;
+        let t161 = work.t082 + t158;
         let t162 = t161 + t160;
-        let t164 = -26.218_584 * work.t83;
+        let t164 = -26.218_584 * work.t083;
         let t165 = t162 + t164;
-        self.innovation[work.t11.min(100)] = work.t83;
+        self.innovation[work.t011.min(100)] = work.t083;
 
         // the next measurement, as far as it is known
         let t166 = 0.000_999_413_5 * work.t157;
         let t167 = 7.021_338e-6 * t165;
-        let t169 = -1.749_340_3e-5 * work.t21;
+        let t169 = -1.749_340_3e-5 * work.t021;
         let t170 = work.t148 + t166;
         let t171 = t170 + t167;
         let t172 = t171 + t169;
         self.ahead_y = t172;
 
         // the estimate; until the window is full, the start
-        let t173 = 100 < work.t39;
-        work.t174 = if t173 { work.t148 } else { work.t32 };
+        let t173 = 100 < work.t039;
+        work.t174 = if t173 { work.t148 } else { work.t032 };
         work.t175 = if t173 { work.t157 } else { 0.0 };
         work.t176 = if t173 { t165 } else { 0.0 };
         let t177 = self.coasting;

@@ -494,10 +494,10 @@ static WINDOW: [[f32; 7]; 100] = [
 
 /// What one part of a step hands to the next.
 struct Work {
-    t11: usize,
-    t21: f32,
-    t32: f32,
-    t39: usize,
+    t011: usize,
+    t021: f32,
+    t032: f32,
+    t039: usize,
     t109: f32,
     t110: f32,
     t111: f32,
@@ -507,10 +507,10 @@ struct Work {
 impl Work {
     /// Before the first part.
     const EMPTY: Self = Self {
-        t11: 0,
-        t21: 0.0,
-        t32: 0.0,
-        t39: 0,
+        t011: 0,
+        t021: 0.0,
+        t032: 0.0,
+        t039: 0,
         t109: 0.0,
         t110: 0.0,
         t111: 0.0,
@@ -550,136 +550,136 @@ impl Observer {
     /// Part 1 of a step.
     fn part_1(&mut self, measurements: Measurements, inputs: Inputs, work: &mut Work) {
         // samples: outside its range, infinite or NaN means missing
-        let t0 = self.newest;
-        let t1 = t0.min(100);
-        let t2 = self.count;
-        let t4 = 100 < t2;
-        let t5 = measurements.y;
-        let t6 = (-1e35..=1e35).contains(&t5);
-        let t7 = inputs.u;
-        let t8 = (-1e35..=1e35).contains(&t7);
-        let t9 = self.u[t1];
-        let t10 = if t8 { t7 } else { t9 };
+        let t000 = self.newest;
+        let t001 = t000.min(100);
+        let t002 = self.count;
+        let t004 = 100 < t002;
+        let t005 = measurements.y;
+        let t006 = (-1e35..=1e35).contains(&t005);
+        let t007 = inputs.u;
+        let t008 = (-1e35..=1e35).contains(&t007);
+        let t009 = self.u[t001];
+        let t010 = if t008 { t007 } else { t009 };
 
         // prediction, for a sample that is missing
-        work.t11 = if t1 < 100 { t1 + 1 } else { 0 };
-        let t12 = self.ahead_y;
-        let t14 = 9.516_694e-8 * t10;
-        let t15 = t12 + t14;
-        let t16 = self.y[t1];
-        let t17 = (-1e35..=1e35).contains(&t15);
-        let t18 = t4 && t17;
-        let t19 = if t18 { t15 } else { t16 };
-        let t20 = if t6 { t5 } else { t19 };
-        work.t21 = ::deadbeat::math::sin_f32(t20);
-        let t22 = self.sin_q[t1];
-        let t23 = work.t21 - t22;
-        let t25 = -5.831_721_4e-6 * t23;
-        let t26 = t15 + t25;
-        let t27 = (-1e35..=1e35).contains(&t26);
-        let t28 = t4 && t27;
-        let t29 = if t28 { t26 } else { t16 };
-        let t30 = t6 || t28;
-        let t31 = !t30;
-        work.t32 = if t6 { t5 } else { t29 };
+        work.t011 = if t001 < 100 { t001 + 1 } else { 0 };
+        let t012 = self.ahead_y;
+        let t014 = 9.516_694e-8 * t010;
+        let t015 = t012 + t014;
+        let t016 = self.y[t001];
+        let t017 = (-1e35..=1e35).contains(&t015);
+        let t018 = t004 && t017;
+        let t019 = if t018 { t015 } else { t016 };
+        let t020 = if t006 { t005 } else { t019 };
+        work.t021 = ::deadbeat::math::sin_f32(t020);
+        let t022 = self.sin_q[t001];
+        let t023 = work.t021 - t022;
+        let t025 = -5.831_721_4e-6 * t023;
+        let t026 = t015 + t025;
+        let t027 = (-1e35..=1e35).contains(&t026);
+        let t028 = t004 && t027;
+        let t029 = if t028 { t026 } else { t016 };
+        let t030 = t006 || t028;
+        let t031 = !t030;
+        work.t032 = if t006 { t005 } else { t029 };
 
         // how much of the window is good
-        let t35 = if t2 < 101 { t2 + 1 } else { 101 };
-        let t36 = if t31 { 0 } else { t35 };
-        let t37 = if t8 { t35 } else { 1 };
-        let t38 = if t6 { t37 } else { 0 };
-        work.t39 = if t4 { t36 } else { t38 };
-        self.count = work.t39;
-        let t40 = self.coasting;
-        let t41 = t40.saturating_sub(1);
-        let t42 = if t8 { t41 } else { 100 };
-        let t44 = if t6 { t42 } else { 101 };
-        self.coasting = t44;
+        let t035 = if t002 < 101 { t002 + 1 } else { 101 };
+        let t036 = if t031 { 0 } else { t035 };
+        let t037 = if t008 { t035 } else { 1 };
+        let t038 = if t006 { t037 } else { 0 };
+        work.t039 = if t004 { t036 } else { t038 };
+        self.count = work.t039;
+        let t040 = self.coasting;
+        let t041 = t040.saturating_sub(1);
+        let t042 = if t008 { t041 } else { 100 };
+        let t044 = if t006 { t042 } else { 101 };
+        self.coasting = t044;
 
         // into the window
-        self.newest = work.t11;
-        self.y[work.t11.min(100)] = work.t32;
-        self.u[work.t11.min(100)] = t10;
-        self.sin_q[work.t11.min(100)] = work.t21;
+        self.newest = work.t011;
+        self.y[work.t011.min(100)] = work.t032;
+        self.u[work.t011.min(100)] = t010;
+        self.sin_q[work.t011.min(100)] = work.t021;
     }
 
     /// Part 2 of a step.
     fn part_2(&mut self, work: &mut Work) {
         // the sums over the window, newest sample first
-        let mut t46: f32 = 0.0;
-        let mut t47: f32 = 0.0;
-        let mut t48: f32 = 0.0;
-        let mut t49: f32 = 0.0;
-        let mut t50: f32 = 0.0;
-        let mut t51: f32 = 0.0;
-        let mut t52: f32 = 0.0;
-        let mut t53: usize = work.t11;
+        let mut t046: f32 = 0.0;
+        let mut t047: f32 = 0.0;
+        let mut t048: f32 = 0.0;
+        let mut t049: f32 = 0.0;
+        let mut t050: f32 = 0.0;
+        let mut t051: f32 = 0.0;
+        let mut t052: f32 = 0.0;
+        let mut t053: usize = work.t011;
         for gains in &WINDOW {
-            let t54 = self.y[t53.min(100)];
-            let t55 = gains[0];
-            let t56 = t55 * t54;
-            let t57 = t46 + t56;
-            let t58 = gains[1];
-            let t59 = t58 * t54;
-            let t60 = t47 + t59;
-            let t61 = gains[2];
-            let t62 = t61 * t54;
-            let t63 = t50 + t62;
-            let t64 = self.u[t53.min(100)];
-            let t65 = gains[3];
-            let t66 = t65 * t64;
-            let t67 = t48 + t66;
-            let t68 = gains[4];
-            let t69 = t68 * t64;
-            let t70 = t51 + t69;
-            let t71 = self.sin_q[t53.min(100)];
-            let t72 = gains[5];
-            let t73 = t72 * t71;
-            let t74 = t49 + t73;
-            let t75 = gains[6];
-            let t76 = t75 * t71;
-            let t77 = t52 + t76;
-            let t78 = t53.wrapping_sub(1).min(100);
-            t46 = t57;
-            t47 = t60;
-            t48 = t67;
-            t49 = t74;
-            t50 = t63;
-            t51 = t70;
-            t52 = t77;
-            t53 = t78;
+            let t054 = self.y[t053.min(100)];
+            let t055 = gains[0];
+            let t056 = t055 * t054;
+            let t057 = t046 + t056;
+            let t058 = gains[1];
+            let t059 = t058 * t054;
+            let t060 = t047 + t059;
+            let t061 = gains[2];
+            let t062 = t061 * t054;
+            let t063 = t050 + t062;
+            let t064 = self.u[t053.min(100)];
+            let t065 = gains[3];
+            let t066 = t065 * t064;
+            let t067 = t048 + t066;
+            let t068 = gains[4];
+            let t069 = t068 * t064;
+            let t070 = t051 + t069;
+            let t071 = self.sin_q[t053.min(100)];
+            let t072 = gains[5];
+            let t073 = t072 * t071;
+            let t074 = t049 + t073;
+            let t075 = gains[6];
+            let t076 = t075 * t071;
+            let t077 = t052 + t076;
+            let t078 = t053.wrapping_sub(1).min(100);
+            t046 = t057;
+            t047 = t060;
+            t048 = t067;
+            t049 = t074;
+            t050 = t063;
+            t051 = t070;
+            t052 = t077;
+            t053 = t078;
         }
-        let t79 = self.y[t53.min(100)];
-        let t80 = 0.0 * t79;
-        let t81 = t46 + t80;
-        let t83 = 0.535_296 * t79;
-        let t84 = t47 + t83;
-        let t86 = -0.099_299_01 * t79;
-        let t87 = t50 + t86;
-        let t88 = self.sin_q[t53.min(100)];
-        let t90 = 3.123_252_8e-6 * t88;
-        let t91 = t49 + t90;
-        let t93 = -5.793_727_4e-7 * t88;
-        let t94 = t52 + t93;
-        let t95 = t84 + t48;
-        let t96 = t95 + t91;
-        let t97 = t87 + t51;
-        let t98 = t97 + t94;
+        let t079 = self.y[t053.min(100)];
+        let t080 = 0.0 * t079;
+        let t081 = t046 + t080;
+        let t083 = 0.535_296 * t079;
+        let t084 = t047 + t083;
+        let t086 = -0.099_299_01 * t079;
+        let t087 = t050 + t086;
+        let t088 = self.sin_q[t053.min(100)];
+        let t090 = 3.123_252_8e-6 * t088;
+        let t091 = t049 + t090;
+        let t093 = -5.793_727_4e-7 * t088;
+        let t094 = t052 + t093;
+        let t095 = t084 + t048;
+        let t096 = t095 + t091;
+        let t097 = t087 + t051;
+        let t098 = t097 + t094;
 
         // the next measurement, as far as it is known
-        let t100 = 0.000_999_413_5 * t96;
-        let t102 = 7.021_338e-6 * t98;
-        let t104 = -1.749_340_3e-5 * work.t21;
-        let t105 = t81 + t100;
+        let t100 = 0.000_999_413_5 * t096;
+        let t102 = 7.021_338e-6 * t098;
+        let t104 = -1.749_340_3e-5 * work.t021;
+        let t105 = t081 + t100;
         let t106 = t105 + t102;
         let t107 = t106 + t104;
         self.ahead_y = t107;
 
         // the estimate; until the window is full, the start
-        let t108 = 100 < work.t39;
-        work.t109 = if t108 { t81 } else { work.t32 };
-        work.t110 = if t108 { t96 } else { 0.0 };
-        work.t111 = if t108 { t98 } else { 0.0 };
+        let t108 = 100 < work.t039;
+        work.t109 = if t108 { t081 } else { work.t032 };
+        work.t110 = if t108 { t096 } else { 0.0 };
+        work.t111 = if t108 { t098 } else { 0.0 };
         let t112 = self.coasting;
         let t113 = t112 == 0;
         let t117 = if t113 { Status::Converged } else { Status::Coasting };

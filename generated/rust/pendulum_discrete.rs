@@ -89,14 +89,14 @@ pub struct Observer {
 
 /// What one part of a step hands to the next.
 struct Work {
-    t0: usize,
-    t4: usize,
-    t34: f64,
-    t49: f64,
-    t69: usize,
-    t72: f64,
-    t80: f64,
-    t81: f64,
+    t000: usize,
+    t004: usize,
+    t034: f64,
+    t049: f64,
+    t069: usize,
+    t072: f64,
+    t080: f64,
+    t081: f64,
     t113: f64,
     t118: Status,
     /// t3, t6, t48, t50, t70, t83
@@ -106,14 +106,14 @@ struct Work {
 impl Work {
     /// Before the first part.
     const EMPTY: Self = Self {
-        t0: 0,
-        t4: 0,
-        t34: 0.0,
-        t49: 0.0,
-        t69: 0,
-        t72: 0.0,
-        t80: 0.0,
-        t81: 0.0,
+        t000: 0,
+        t004: 0,
+        t034: 0.0,
+        t049: 0.0,
+        t069: 0,
+        t072: 0.0,
+        t080: 0.0,
+        t081: 0.0,
         t113: 0.0,
         t118: Status::Converging,
         flags: [false; 6],
@@ -143,7 +143,7 @@ impl Observer {
         self.part_1(measurements, &mut work);
         self.part_2(&mut work);
         Estimate {
-            x1: work.t49,
+            x1: work.t049,
             x2: work.t113,
             status: work.t118,
         }
@@ -152,124 +152,124 @@ impl Observer {
     /// Part 1 of a step.
     fn part_1(&self, measurements: Measurements, work: &mut Work) {
         // samples: outside its range, infinite or NaN means missing
-        work.t0 = self.turn;
-        let t1 = work.t0.min(1);
-        work.flags[0] = t1 == 0;
-        work.t4 = self.count;
-        work.flags[1] = 160 < work.t4;
-        let t7 = measurements.x1;
-        let t8 = (-1e305..=1e305).contains(&t7);
-        let t9 = work.flags[0] && t8;
-        let t10 = self.x1_1;
+        work.t000 = self.turn;
+        let t001 = work.t000.min(1);
+        work.flags[0] = t001 == 0;
+        work.t004 = self.count;
+        work.flags[1] = 160 < work.t004;
+        let t007 = measurements.x1;
+        let t008 = (-1e305..=1e305).contains(&t007);
+        let t009 = work.flags[0] && t008;
+        let t010 = self.x1_1;
 
         // prediction, for a sample that is missing or not measured now
-        let t11 = self.sin_x1_1;
-        let t12 = self.z1_x2;
-        let t14 = 0.025 * t12;
-        let t16 = -0.000_104_166_666_666_666_67 * t11;
-        let t18 = -0.000_208_333_333_333_333_35 * t11;
-        let t19 = t14 + t10;
-        let t20 = t19 + t16;
-        let t21 = t20 + t18;
-        let t22 = (-1e305..=1e305).contains(&t21);
-        let t23 = work.flags[1] && t22;
-        let t24 = if t23 { t21 } else { t10 };
-        let t27 = -1e305 < t21;
-        let t28 = if t27 { t21 } else { -1e305 };
-        let t29 = 1e305 < t28;
-        let t30 = if t29 { 1e305 } else { t28 };
-        let t31 = !work.flags[0];
-        let t32 = if work.flags[0] { t24 } else { t30 };
-        let t33 = if t9 { t7 } else { t32 };
-        work.t34 = ::deadbeat::math::sin_f64(t33);
-        let t35 = work.t34 - t11;
-        let t36 = -0.000_104_166_666_666_666_67 * t35;
-        let t37 = t21 + t36;
-        let t38 = (-1e305..=1e305).contains(&t37);
-        let t39 = work.flags[1] && t38;
-        let t40 = if t39 { t37 } else { t10 };
-        let t41 = -1e305 < t37;
-        let t42 = if t41 { t37 } else { -1e305 };
-        let t43 = 1e305 < t42;
-        let t44 = if t43 { 1e305 } else { t42 };
-        let t45 = if work.flags[0] { t40 } else { t44 };
-        let t46 = t31 || t39;
-        let t47 = t9 || t46;
-        work.flags[2] = !t47;
-        work.t49 = if t9 { t7 } else { t45 };
-        work.flags[3] = t9 || t31;
+        let t011 = self.sin_x1_1;
+        let t012 = self.z1_x2;
+        let t014 = 0.025 * t012;
+        let t016 = -0.000_104_166_666_666_666_67 * t011;
+        let t018 = -0.000_208_333_333_333_333_35 * t011;
+        let t019 = t014 + t010;
+        let t020 = t019 + t016;
+        let t021 = t020 + t018;
+        let t022 = (-1e305..=1e305).contains(&t021);
+        let t023 = work.flags[1] && t022;
+        let t024 = if t023 { t021 } else { t010 };
+        let t027 = -1e305 < t021;
+        let t028 = if t027 { t021 } else { -1e305 };
+        let t029 = 1e305 < t028;
+        let t030 = if t029 { 1e305 } else { t028 };
+        let t031 = !work.flags[0];
+        let t032 = if work.flags[0] { t024 } else { t030 };
+        let t033 = if t009 { t007 } else { t032 };
+        work.t034 = ::deadbeat::math::sin_f64(t033);
+        let t035 = work.t034 - t011;
+        let t036 = -0.000_104_166_666_666_666_67 * t035;
+        let t037 = t021 + t036;
+        let t038 = (-1e305..=1e305).contains(&t037);
+        let t039 = work.flags[1] && t038;
+        let t040 = if t039 { t037 } else { t010 };
+        let t041 = -1e305 < t037;
+        let t042 = if t041 { t037 } else { -1e305 };
+        let t043 = 1e305 < t042;
+        let t044 = if t043 { 1e305 } else { t042 };
+        let t045 = if work.flags[0] { t040 } else { t044 };
+        let t046 = t031 || t039;
+        let t047 = t009 || t046;
+        work.flags[2] = !t047;
+        work.t049 = if t009 { t007 } else { t045 };
+        work.flags[3] = t009 || t031;
 
         // both copies, one call on
-        let t52 = -0.0125 * work.t34;
-        let t53 = -0.0125 * t11;
-        let t54 = t12 + t52;
-        let t55 = t54 + t53;
-        let t56 = self.z2_x2;
-        let t58 = 0.975 * t56;
-        let t60 = -0.025 * t10;
-        let t62 = -0.012_395_833_333_333_333 * work.t34;
-        let t64 = -0.012_291_666_666_666_666 * t11;
-        let t65 = t58 + t60;
-        let t66 = t65 + t62;
-        let t67 = t66 + t64;
+        let t052 = -0.0125 * work.t034;
+        let t053 = -0.0125 * t011;
+        let t054 = t012 + t052;
+        let t055 = t054 + t053;
+        let t056 = self.z2_x2;
+        let t058 = 0.975 * t056;
+        let t060 = -0.025 * t010;
+        let t062 = -0.012_395_833_333_333_333 * work.t034;
+        let t064 = -0.012_291_666_666_666_666 * t011;
+        let t065 = t058 + t060;
+        let t066 = t065 + t062;
+        let t067 = t066 + t064;
 
         // the reset, when a period is full
-        let t68 = self.phase;
-        work.t69 = if t68 < 39 { t68 + 1 } else { 0 };
-        work.flags[4] = work.t69 == 0;
-        let t71: f64 = -1.0;
-        work.t72 = t71 * work.t49;
-        let t73 = t67 - work.t72;
-        let t74 = t55 - t73;
-        let t76 = -1.570_431_759_783_623_7 * t74;
-        let t77 = t55 + t76;
-        let t78 = (-7.115_863_519_567_243e305..=7.115_863_519_567_243e305)
-            .contains(&t77);
-        let t79 = t77 + work.t72;
-        work.t80 = if work.flags[4] { t77 } else { t55 };
-        work.t81 = if work.flags[4] { t79 } else { t67 };
-        let t82 = !t78;
-        work.flags[5] = work.flags[4] && t82;
+        let t068 = self.phase;
+        work.t069 = if t068 < 39 { t068 + 1 } else { 0 };
+        work.flags[4] = work.t069 == 0;
+        let t071: f64 = -1.0;
+        work.t072 = t071 * work.t049;
+        let t073 = t067 - work.t072;
+        let t074 = t055 - t073;
+        let t076 = -1.570_431_759_783_623_7 * t074;
+        let t077 = t055 + t076;
+        let t078 = (-7.115_863_519_567_243e305..=7.115_863_519_567_243e305)
+            .contains(&t077);
+        let t079 = t077 + work.t072;
+        work.t080 = if work.flags[4] { t077 } else { t055 };
+        work.t081 = if work.flags[4] { t079 } else { t067 };
+        let t082 = !t078;
+        work.flags[5] = work.flags[4] && t082;
     }
 
     /// Part 2 of a step.
     fn part_2(&mut self, work: &mut Work) {
         // how much of the period is good
-        let t84 = work.flags[2] || work.flags[5];
-        let t86 = if work.t4 < 161 { work.t4 + 1 } else { 161 };
-        let t87 = usize::from(work.flags[0]);
-        let t88 = work.t4 == 0;
-        let t89 = if t88 { t87 } else { t86 };
-        let t90 = work.flags[1] || work.flags[3];
-        let t91 = if work.flags[1] { t86 } else { t89 };
-        let t92 = if t90 { t91 } else { 0 };
-        let t93 = if t84 { 0 } else { t92 };
-        self.count = t93;
-        let t94 = self.clean;
-        let t95 = if t94 < 41 { t94 + 1 } else { 41 };
-        let t96 = if work.flags[3] { t95 } else { 0 };
-        self.clean = t96;
-        let t98 = 40 < t96;
-        let t99 = work.flags[4] && t98;
+        let t084 = work.flags[2] || work.flags[5];
+        let t086 = if work.t004 < 161 { work.t004 + 1 } else { 161 };
+        let t087 = usize::from(work.flags[0]);
+        let t088 = work.t004 == 0;
+        let t089 = if t088 { t087 } else { t086 };
+        let t090 = work.flags[1] || work.flags[3];
+        let t091 = if work.flags[1] { t086 } else { t089 };
+        let t092 = if t090 { t091 } else { 0 };
+        let t093 = if t084 { 0 } else { t092 };
+        self.count = t093;
+        let t094 = self.clean;
+        let t095 = if t094 < 41 { t094 + 1 } else { 41 };
+        let t096 = if work.flags[3] { t095 } else { 0 };
+        self.clean = t096;
+        let t098 = 40 < t096;
+        let t099 = work.flags[4] && t098;
         let t100 = self.coasting;
-        let t101 = if t99 { 0 } else { t100 };
+        let t101 = if t099 { 0 } else { t100 };
         let t102 = if work.flags[3] { t101 } else { 1 };
         self.coasting = t102;
         let t103 = t102 == 0;
-        let t105 = t93 < 2;
-        let t106 = 160 < t93;
+        let t105 = t093 < 2;
+        let t106 = 160 < t093;
 
         // for the next call
-        let t108 = if t105 { 0.0 } else { work.t80 };
-        let t109 = 0.0 + work.t72;
-        let t110 = if t105 { t109 } else { work.t81 };
+        let t108 = if t105 { 0.0 } else { work.t080 };
+        let t109 = 0.0 + work.t072;
+        let t110 = if t105 { t109 } else { work.t081 };
         self.z1_x2 = t108;
         self.z2_x2 = t110;
-        let t111 = if t105 { 0 } else { work.t69 };
+        let t111 = if t105 { 0 } else { work.t069 };
         self.phase = t111;
-        self.x1_1 = work.t49;
-        self.sin_x1_1 = work.t34;
-        let t112 = if work.t0 < 1 { work.t0 + 1 } else { 0 };
+        self.x1_1 = work.t049;
+        self.sin_x1_1 = work.t034;
+        let t112 = if work.t000 < 1 { work.t000 + 1 } else { 0 };
         self.turn = t112;
 
         // the estimate; until it has converged, the start

@@ -319,23 +319,23 @@ static AGES: [[f32; 15]; 40] = [
 
 /// What one part of a step hands to the next.
 struct Work {
-    t8: f32,
-    t11: f32,
-    t17: f32,
-    t26: usize,
-    t31: usize,
-    t47: f32,
-    t49: f32,
-    t51: f32,
-    t53: f32,
-    t55: f32,
-    t57: usize,
-    t58: f32,
-    t59: f32,
-    t60: f32,
-    t61: f32,
-    t62: f32,
-    t63: usize,
+    t008: f32,
+    t011: f32,
+    t017: f32,
+    t026: usize,
+    t031: usize,
+    t047: f32,
+    t049: f32,
+    t051: f32,
+    t053: f32,
+    t055: f32,
+    t057: usize,
+    t058: f32,
+    t059: f32,
+    t060: f32,
+    t061: f32,
+    t062: f32,
+    t063: usize,
     t107: usize,
     t128: f32,
     t131: f32,
@@ -351,23 +351,23 @@ struct Work {
 impl Work {
     /// Before the first part.
     const EMPTY: Self = Self {
-        t8: 0.0,
-        t11: 0.0,
-        t17: 0.0,
-        t26: 0,
-        t31: 0,
-        t47: 0.0,
-        t49: 0.0,
-        t51: 0.0,
-        t53: 0.0,
-        t55: 0.0,
-        t57: 0,
-        t58: 0.0,
-        t59: 0.0,
-        t60: 0.0,
-        t61: 0.0,
-        t62: 0.0,
-        t63: 0,
+        t008: 0.0,
+        t011: 0.0,
+        t017: 0.0,
+        t026: 0,
+        t031: 0,
+        t047: 0.0,
+        t049: 0.0,
+        t051: 0.0,
+        t053: 0.0,
+        t055: 0.0,
+        t057: 0,
+        t058: 0.0,
+        t059: 0.0,
+        t060: 0.0,
+        t061: 0.0,
+        t062: 0.0,
+        t063: 0,
         t107: 0,
         t128: 0.0,
         t131: 0.0,
@@ -423,158 +423,158 @@ impl Observer {
     /// Part 1 of a step.
     fn part_1(&mut self, measurements: Measurements, inputs: Inputs, work: &mut Work) {
         // samples: outside its range, infinite or NaN means missing
-        let t0 = self.count;
-        let t2 = 40 < t0;
-        let t3 = measurements.angle;
-        work.flags[0] = (-1e31..=1e31).contains(&t3);
-        let t5 = inputs.torque;
-        work.flags[1] = (-1e31..=1e31).contains(&t5);
-        let t7 = self.torque;
-        work.t8 = if work.flags[1] { t5 } else { t7 };
+        let t000 = self.count;
+        let t002 = 40 < t000;
+        let t003 = measurements.angle;
+        work.flags[0] = (-1e31..=1e31).contains(&t003);
+        let t005 = inputs.torque;
+        work.flags[1] = (-1e31..=1e31).contains(&t005);
+        let t007 = self.torque;
+        work.t008 = if work.flags[1] { t005 } else { t007 };
 
         // prediction, for a sample that is missing
-        let t9 = self.ahead_angle;
-        work.t11 = 0.000_249_875_04 * work.t8;
-        let t12 = t9 + work.t11;
-        let t13 = self.angle;
-        let t14 = (-1e31..=1e31).contains(&t12);
-        let t15 = t2 && t14;
-        let t16 = if t15 { t12 } else { t13 };
-        work.t17 = if work.flags[0] { t3 } else { t16 };
-        let t18 = work.flags[0] || t15;
-        let t19 = !t18;
+        let t009 = self.ahead_angle;
+        work.t011 = 0.000_249_875_04 * work.t008;
+        let t012 = t009 + work.t011;
+        let t013 = self.angle;
+        let t014 = (-1e31..=1e31).contains(&t012);
+        let t015 = t002 && t014;
+        let t016 = if t015 { t012 } else { t013 };
+        work.t017 = if work.flags[0] { t003 } else { t016 };
+        let t018 = work.flags[0] || t015;
+        let t019 = !t018;
 
         // how much of the window is good
-        let t22 = if t0 < 41 { t0 + 1 } else { 41 };
-        let t23 = if t19 { 0 } else { t22 };
-        let t24 = if work.flags[1] { t22 } else { 1 };
-        let t25 = if work.flags[0] { t24 } else { 0 };
-        work.t26 = if t2 { t23 } else { t25 };
-        self.count = work.t26;
+        let t022 = if t000 < 41 { t000 + 1 } else { 41 };
+        let t023 = if t019 { 0 } else { t022 };
+        let t024 = if work.flags[1] { t022 } else { 1 };
+        let t025 = if work.flags[0] { t024 } else { 0 };
+        work.t026 = if t002 { t023 } else { t025 };
+        self.count = work.t026;
 
         // into the window
-        self.angle = work.t17;
-        self.torque = work.t8;
+        self.angle = work.t017;
+        self.torque = work.t008;
 
         // two copies, restarted by turns; both with the first sample of a window
-        work.flags[2] = work.t26 < 2;
-        let t29 = self.age;
-        let t30 = if t29 < 39 { t29 + 1 } else { 0 };
-        work.t31 = if work.flags[2] { 0 } else { t30 };
-        self.age = work.t31;
-        work.flags[3] = work.t31 == 0;
-        let t33 = self.used_angle;
-        let t34 = self.used_speed;
-        let t35 = self.used_statistic;
-        let t36 = self.used_statistic_2;
-        let t37 = self.used_statistic_3;
-        let t38 = self.used_replaced;
-        let t39 = self.filling_angle;
-        let t40 = self.filling_speed;
-        let t41 = self.filling_statistic;
-        let t42 = self.filling_statistic_2;
-        let t43 = self.filling_statistic_3;
-        let t44 = self.filling_replaced;
-        let t46 = if work.flags[3] { t39 } else { t33 };
-        work.t47 = if work.flags[2] { 0.0 } else { t46 };
-        let t48 = if work.flags[3] { t40 } else { t34 };
-        work.t49 = if work.flags[2] { 0.0 } else { t48 };
-        let t50 = if work.flags[3] { t41 } else { t35 };
-        work.t51 = if work.flags[2] { 0.0 } else { t50 };
-        let t52 = if work.flags[3] { t42 } else { t36 };
-        work.t53 = if work.flags[2] { 0.0 } else { t52 };
-        let t54 = if work.flags[3] { t43 } else { t37 };
-        work.t55 = if work.flags[2] { 0.0 } else { t54 };
-        let t56 = if work.flags[3] { t44 } else { t38 };
-        work.t57 = if work.flags[2] { 0 } else { t56 };
-        work.t58 = if work.flags[3] { 0.0 } else { t39 };
-        work.t59 = if work.flags[3] { 0.0 } else { t40 };
-        work.t60 = if work.flags[3] { 0.0 } else { t41 };
-        work.t61 = if work.flags[3] { 0.0 } else { t42 };
-        work.t62 = if work.flags[3] { 0.0 } else { t43 };
-        work.t63 = if work.flags[3] { 0 } else { t44 };
+        work.flags[2] = work.t026 < 2;
+        let t029 = self.age;
+        let t030 = if t029 < 39 { t029 + 1 } else { 0 };
+        work.t031 = if work.flags[2] { 0 } else { t030 };
+        self.age = work.t031;
+        work.flags[3] = work.t031 == 0;
+        let t033 = self.used_angle;
+        let t034 = self.used_speed;
+        let t035 = self.used_statistic;
+        let t036 = self.used_statistic_2;
+        let t037 = self.used_statistic_3;
+        let t038 = self.used_replaced;
+        let t039 = self.filling_angle;
+        let t040 = self.filling_speed;
+        let t041 = self.filling_statistic;
+        let t042 = self.filling_statistic_2;
+        let t043 = self.filling_statistic_3;
+        let t044 = self.filling_replaced;
+        let t046 = if work.flags[3] { t039 } else { t033 };
+        work.t047 = if work.flags[2] { 0.0 } else { t046 };
+        let t048 = if work.flags[3] { t040 } else { t034 };
+        work.t049 = if work.flags[2] { 0.0 } else { t048 };
+        let t050 = if work.flags[3] { t041 } else { t035 };
+        work.t051 = if work.flags[2] { 0.0 } else { t050 };
+        let t052 = if work.flags[3] { t042 } else { t036 };
+        work.t053 = if work.flags[2] { 0.0 } else { t052 };
+        let t054 = if work.flags[3] { t043 } else { t037 };
+        work.t055 = if work.flags[2] { 0.0 } else { t054 };
+        let t056 = if work.flags[3] { t044 } else { t038 };
+        work.t057 = if work.flags[2] { 0 } else { t056 };
+        work.t058 = if work.flags[3] { 0.0 } else { t039 };
+        work.t059 = if work.flags[3] { 0.0 } else { t040 };
+        work.t060 = if work.flags[3] { 0.0 } else { t041 };
+        work.t061 = if work.flags[3] { 0.0 } else { t042 };
+        work.t062 = if work.flags[3] { 0.0 } else { t043 };
+        work.t063 = if work.flags[3] { 0 } else { t044 };
     }
 
     /// Part 2 of a step.
     fn part_2(&mut self, work: &mut Work) {
         // the copy that fills
-        let t64 = work.t58 + work.t11;
-        let t66 = 0.499_625_18 * work.t8;
-        let t67 = work.t59 + t66;
-        let t68 = if work.flags[3] { 0.0 } else { t64 };
-        let t69 = if work.flags[3] { 0.0 } else { t67 };
-        let t70 = work.t17 - t68;
-        let t71 = AGES[work.t31.min(39)][0];
-        let t72 = t71 * t70;
-        let t73 = work.t60 + t72;
-        let t74 = AGES[work.t31.min(39)][1];
-        let t75 = t74 * t70;
-        let t76 = work.t61 + t75;
-        let t77 = AGES[work.t31.min(39)][2];
-        let t78 = t77 * t70;
-        let t79 = work.t62 + t78;
-        self.filling_statistic = t73;
-        self.filling_statistic_2 = t76;
-        self.filling_statistic_3 = t79;
-        let t81 = 0.000_999_250_3 * t69;
-        let t82 = t68 + t81;
-        let t84 = 0.998_501_1 * t69;
-        self.filling_angle = t82;
-        self.filling_speed = t84;
-        let t85 = work.flags[1] || work.flags[3];
-        let t86 = work.flags[0] && t85;
-        let t87 = if t86 { work.t63 } else { 1 };
-        self.filling_replaced = t87;
+        let t064 = work.t058 + work.t011;
+        let t066 = 0.499_625_18 * work.t008;
+        let t067 = work.t059 + t066;
+        let t068 = if work.flags[3] { 0.0 } else { t064 };
+        let t069 = if work.flags[3] { 0.0 } else { t067 };
+        let t070 = work.t017 - t068;
+        let t071 = AGES[work.t031.min(39)][0];
+        let t072 = t071 * t070;
+        let t073 = work.t060 + t072;
+        let t074 = AGES[work.t031.min(39)][1];
+        let t075 = t074 * t070;
+        let t076 = work.t061 + t075;
+        let t077 = AGES[work.t031.min(39)][2];
+        let t078 = t077 * t070;
+        let t079 = work.t062 + t078;
+        self.filling_statistic = t073;
+        self.filling_statistic_2 = t076;
+        self.filling_statistic_3 = t079;
+        let t081 = 0.000_999_250_3 * t069;
+        let t082 = t068 + t081;
+        let t084 = 0.998_501_1 * t069;
+        self.filling_angle = t082;
+        self.filling_speed = t084;
+        let t085 = work.flags[1] || work.flags[3];
+        let t086 = work.flags[0] && t085;
+        let t087 = if t086 { work.t063 } else { 1 };
+        self.filling_replaced = t087;
 
         // the copy that is used, and the estimate
-        let t88 = work.t47 + work.t11;
-        let t89 = work.t49 + t66;
-        let t90 = if work.flags[2] { 0.0 } else { t88 };
-        let t91 = if work.flags[2] { 0.0 } else { t89 };
-        let t92 = work.t17 - t90;
-        let t93 = AGES[work.t31.min(39)][3];
-        let t94 = t93 * t92;
-        let t95 = work.t51 + t94;
-        let t96 = AGES[work.t31.min(39)][4];
-        let t97 = t96 * t92;
-        let t98 = work.t53 + t97;
-        let t99 = AGES[work.t31.min(39)][5];
-        let t100 = t99 * t92;
-        let t101 = work.t55 + t100;
-        self.used_statistic = t95;
-        self.used_statistic_2 = t98;
+        let t088 = work.t047 + work.t011;
+        let t089 = work.t049 + t066;
+        let t090 = if work.flags[2] { 0.0 } else { t088 };
+        let t091 = if work.flags[2] { 0.0 } else { t089 };
+        let t092 = work.t017 - t090;
+        let t093 = AGES[work.t031.min(39)][3];
+        let t094 = t093 * t092;
+        let t095 = work.t051 + t094;
+        let t096 = AGES[work.t031.min(39)][4];
+        let t097 = t096 * t092;
+        let t098 = work.t053 + t097;
+        let t099 = AGES[work.t031.min(39)][5];
+        let t100 = t099 * t092;
+        let t101 = work.t055 + t100;
+        self.used_statistic = t095;
+        self.used_statistic_2 = t098;
         self.used_statistic_3 = t101;
-        let t102 = 0.000_999_250_3 * t91;
-        let t103 = t90 + t102;
-        let t104 = 0.998_501_1 * t91;
+        let t102 = 0.000_999_250_3 * t091;
+        let t103 = t090 + t102;
+        let t104 = 0.998_501_1 * t091;
         self.used_angle = t103;
         self.used_speed = t104;
         let t105 = work.flags[1] || work.flags[2];
         let t106 = work.flags[0] && t105;
-        work.t107 = if t106 { work.t57 } else { 1 };
+        work.t107 = if t106 { work.t057 } else { 1 };
         self.used_replaced = work.t107;
-        let t108 = AGES[work.t31.min(39)][6];
-        let t109 = t108 * t95;
-        let t110 = AGES[work.t31.min(39)][7];
-        let t111 = t110 * t98;
-        let t112 = AGES[work.t31.min(39)][8];
+        let t108 = AGES[work.t031.min(39)][6];
+        let t109 = t108 * t095;
+        let t110 = AGES[work.t031.min(39)][7];
+        let t111 = t110 * t098;
+        let t112 = AGES[work.t031.min(39)][8];
         let t113 = t112 * t101;
-        let t114 = AGES[work.t31.min(39)][9];
-        let t115 = t114 * t95;
-        let t116 = AGES[work.t31.min(39)][10];
-        let t117 = t116 * t98;
-        let t118 = AGES[work.t31.min(39)][11];
+        let t114 = AGES[work.t031.min(39)][9];
+        let t115 = t114 * t095;
+        let t116 = AGES[work.t031.min(39)][10];
+        let t117 = t116 * t098;
+        let t118 = AGES[work.t031.min(39)][11];
         let t119 = t118 * t101;
-        let t120 = AGES[work.t31.min(39)][12];
-        let t121 = t120 * t95;
-        let t122 = AGES[work.t31.min(39)][13];
-        let t123 = t122 * t98;
-        let t124 = AGES[work.t31.min(39)][14];
+        let t120 = AGES[work.t031.min(39)][12];
+        let t121 = t120 * t095;
+        let t122 = AGES[work.t031.min(39)][13];
+        let t123 = t122 * t098;
+        let t124 = AGES[work.t031.min(39)][14];
         let t125 = t124 * t101;
-        let t126 = t90 + t109;
+        let t126 = t090 + t109;
         let t127 = t126 + t111;
         work.t128 = t127 + t113;
-        let t129 = t91 + t115;
+        let t129 = t091 + t115;
         let t130 = t129 + t117;
         work.t131 = t130 + t119;
         let t132 = t121 + t123;
@@ -591,8 +591,8 @@ impl Observer {
     /// Part 3 of a step.
     fn part_3(work: &mut Work) {
         // the estimate; until the window is full, the start
-        let t139 = 40 < work.t26;
-        work.t140 = if t139 { work.t128 } else { work.t17 };
+        let t139 = 40 < work.t026;
+        work.t140 = if t139 { work.t128 } else { work.t017 };
         work.t141 = if t139 { work.t131 } else { 0.0 };
         work.t142 = if t139 { work.t133 } else { 0.0 };
         let t143 = work.t107 == 0;

@@ -202,9 +202,9 @@ static WINDOW: [[f64; 9]; 20] = [
 
 /// What one part of a step hands to the next.
 struct Work {
-    t15: usize,
-    t21: f64,
-    t31: usize,
+    t015: usize,
+    t021: f64,
+    t031: usize,
     t101: f64,
     t102: f64,
     t103: f64,
@@ -214,9 +214,9 @@ struct Work {
 impl Work {
     /// Before the first part.
     const EMPTY: Self = Self {
-        t15: 0,
-        t21: 0.0,
-        t31: 0,
+        t015: 0,
+        t021: 0.0,
+        t031: 0,
         t101: 0.0,
         t102: 0.0,
         t103: 0.0,
@@ -256,134 +256,134 @@ impl Observer {
     /// Part 1 of a step.
     fn part_1(&mut self, measurements: Measurements, inputs: Inputs, work: &mut Work) {
         // samples: outside its range, infinite or NaN means missing
-        let t0 = self.newest;
-        let t1 = t0.min(20);
-        let t2 = self.count;
-        let t4 = 20 < t2;
-        let t5 = measurements.sensor;
-        let t6 = (-50.0..=200.0).contains(&t5);
-        let t7 = inputs.power;
-        let t8 = (-1e306..=1e306).contains(&t7);
-        let t9 = self.power[t1];
-        let t10 = if t8 { t7 } else { t9 };
-        let t11 = inputs.ambient;
-        let t12 = (-1e306..=1e306).contains(&t11);
-        let t13 = self.ambient[t1];
-        let t14 = if t12 { t11 } else { t13 };
+        let t000 = self.newest;
+        let t001 = t000.min(20);
+        let t002 = self.count;
+        let t004 = 20 < t002;
+        let t005 = measurements.sensor;
+        let t006 = (-50.0..=200.0).contains(&t005);
+        let t007 = inputs.power;
+        let t008 = (-1e306..=1e306).contains(&t007);
+        let t009 = self.power[t001];
+        let t010 = if t008 { t007 } else { t009 };
+        let t011 = inputs.ambient;
+        let t012 = (-1e306..=1e306).contains(&t011);
+        let t013 = self.ambient[t001];
+        let t014 = if t012 { t011 } else { t013 };
 
         // prediction, for a sample that is missing
-        work.t15 = if t1 < 20 { t1 + 1 } else { 0 };
-        let t16 = self.ahead_sensor;
-        let t17 = self.sensor[t1];
-        let t18 = (-50.0..=200.0).contains(&t16);
-        let t19 = t4 && t18;
-        let t20 = if t19 { t16 } else { t17 };
-        work.t21 = if t6 { t5 } else { t20 };
-        let t22 = t6 || t19;
-        let t23 = !t22;
-        let t24 = t8 && t12;
+        work.t015 = if t001 < 20 { t001 + 1 } else { 0 };
+        let t016 = self.ahead_sensor;
+        let t017 = self.sensor[t001];
+        let t018 = (-50.0..=200.0).contains(&t016);
+        let t019 = t004 && t018;
+        let t020 = if t019 { t016 } else { t017 };
+        work.t021 = if t006 { t005 } else { t020 };
+        let t022 = t006 || t019;
+        let t023 = !t022;
+        let t024 = t008 && t012;
 
         // how much of the window is good
-        let t27 = if t2 < 21 { t2 + 1 } else { 21 };
-        let t28 = if t23 { 0 } else { t27 };
-        let t29 = if t24 { t27 } else { 1 };
-        let t30 = if t6 { t29 } else { 0 };
-        work.t31 = if t4 { t28 } else { t30 };
-        self.count = work.t31;
-        let t32 = self.coasting;
-        let t33 = t32.saturating_sub(1);
-        let t34 = if t24 { t33 } else { 20 };
-        let t36 = if t6 { t34 } else { 21 };
-        self.coasting = t36;
+        let t027 = if t002 < 21 { t002 + 1 } else { 21 };
+        let t028 = if t023 { 0 } else { t027 };
+        let t029 = if t024 { t027 } else { 1 };
+        let t030 = if t006 { t029 } else { 0 };
+        work.t031 = if t004 { t028 } else { t030 };
+        self.count = work.t031;
+        let t032 = self.coasting;
+        let t033 = t032.saturating_sub(1);
+        let t034 = if t024 { t033 } else { 20 };
+        let t036 = if t006 { t034 } else { 21 };
+        self.coasting = t036;
 
         // into the window
-        self.newest = work.t15;
-        self.sensor[work.t15.min(20)] = work.t21;
-        self.power[work.t15.min(20)] = t10;
-        self.ambient[work.t15.min(20)] = t14;
+        self.newest = work.t015;
+        self.sensor[work.t015.min(20)] = work.t021;
+        self.power[work.t015.min(20)] = t010;
+        self.ambient[work.t015.min(20)] = t014;
     }
 
     /// Part 2 of a step.
     fn part_2(&mut self, work: &mut Work) {
         // the sums over the window, newest sample first
-        let mut t38: f64 = 0.0;
-        let mut t39: f64 = 0.0;
-        let mut t40: f64 = 0.0;
-        let mut t41: f64 = 0.0;
-        let mut t42: f64 = 0.0;
-        let mut t43: f64 = 0.0;
-        let mut t44: f64 = 0.0;
-        let mut t45: f64 = 0.0;
-        let mut t46: f64 = 0.0;
-        let mut t47: usize = work.t15;
+        let mut t038: f64 = 0.0;
+        let mut t039: f64 = 0.0;
+        let mut t040: f64 = 0.0;
+        let mut t041: f64 = 0.0;
+        let mut t042: f64 = 0.0;
+        let mut t043: f64 = 0.0;
+        let mut t044: f64 = 0.0;
+        let mut t045: f64 = 0.0;
+        let mut t046: f64 = 0.0;
+        let mut t047: usize = work.t015;
         for gains in &WINDOW {
-            let t48 = self.sensor[t47.min(20)];
-            let t49 = gains[0];
-            let t50 = t49 * t48;
-            let t51 = t38 + t50;
-            let t52 = gains[1];
-            let t53 = t52 * t48;
-            let t54 = t41 + t53;
-            let t55 = gains[2];
-            let t56 = t55 * t48;
-            let t57 = t44 + t56;
-            let t58 = self.power[t47.min(20)];
-            let t59 = gains[3];
-            let t60 = t59 * t58;
-            let t61 = t39 + t60;
-            let t62 = gains[4];
-            let t63 = t62 * t58;
-            let t64 = t42 + t63;
-            let t65 = gains[5];
-            let t66 = t65 * t58;
-            let t67 = t45 + t66;
-            let t68 = self.ambient[t47.min(20)];
-            let t69 = gains[6];
-            let t70 = t69 * t68;
-            let t71 = t40 + t70;
-            let t72 = gains[7];
-            let t73 = t72 * t68;
-            let t74 = t43 + t73;
-            let t75 = gains[8];
-            let t76 = t75 * t68;
-            let t77 = t46 + t76;
-            let t78 = t47.wrapping_sub(1).min(20);
-            t38 = t51;
-            t39 = t61;
-            t40 = t71;
-            t41 = t54;
-            t42 = t64;
-            t43 = t74;
-            t44 = t57;
-            t45 = t67;
-            t46 = t77;
-            t47 = t78;
+            let t048 = self.sensor[t047.min(20)];
+            let t049 = gains[0];
+            let t050 = t049 * t048;
+            let t051 = t038 + t050;
+            let t052 = gains[1];
+            let t053 = t052 * t048;
+            let t054 = t041 + t053;
+            let t055 = gains[2];
+            let t056 = t055 * t048;
+            let t057 = t044 + t056;
+            let t058 = self.power[t047.min(20)];
+            let t059 = gains[3];
+            let t060 = t059 * t058;
+            let t061 = t039 + t060;
+            let t062 = gains[4];
+            let t063 = t062 * t058;
+            let t064 = t042 + t063;
+            let t065 = gains[5];
+            let t066 = t065 * t058;
+            let t067 = t045 + t066;
+            let t068 = self.ambient[t047.min(20)];
+            let t069 = gains[6];
+            let t070 = t069 * t068;
+            let t071 = t040 + t070;
+            let t072 = gains[7];
+            let t073 = t072 * t068;
+            let t074 = t043 + t073;
+            let t075 = gains[8];
+            let t076 = t075 * t068;
+            let t077 = t046 + t076;
+            let t078 = t047.wrapping_sub(1).min(20);
+            t038 = t051;
+            t039 = t061;
+            t040 = t071;
+            t041 = t054;
+            t042 = t064;
+            t043 = t074;
+            t044 = t057;
+            t045 = t067;
+            t046 = t077;
+            t047 = t078;
         }
-        let t79 = self.sensor[t47.min(20)];
-        let t81 = 0.090_390_718_244_953_25 * t79;
-        let t82 = t38 + t81;
-        let t84 = 0.083_086_372_345_162_3 * t79;
-        let t85 = t41 + t84;
-        let t87 = 0.065_755_355_823_708_28 * t79;
-        let t88 = t44 + t87;
-        let t89 = t82 + t39;
-        let t90 = t89 + t40;
-        let t91 = t85 + t42;
-        let t92 = t91 + t43;
-        let t93 = t88 + t45;
-        let t94 = t93 + t46;
+        let t079 = self.sensor[t047.min(20)];
+        let t081 = 0.090_390_718_244_953_25 * t079;
+        let t082 = t038 + t081;
+        let t084 = 0.083_086_372_345_162_3 * t079;
+        let t085 = t041 + t084;
+        let t087 = 0.065_755_355_823_708_28 * t079;
+        let t088 = t044 + t087;
+        let t089 = t082 + t039;
+        let t090 = t089 + t040;
+        let t091 = t085 + t042;
+        let t092 = t091 + t043;
+        let t093 = t088 + t045;
+        let t094 = t093 + t046;
 
         // the next measurement, as far as it is known
-        let t96 = 0.2 * t92;
-        let t98 = 0.8 * t94;
-        let t99 = t96 + t98;
-        self.ahead_sensor = t99;
+        let t096 = 0.2 * t092;
+        let t098 = 0.8 * t094;
+        let t099 = t096 + t098;
+        self.ahead_sensor = t099;
 
         // the estimate; until the window is full, the start
-        let t100 = 20 < work.t31;
-        work.t101 = if t100 { t90 } else { 0.0 };
-        work.t102 = if t100 { t92 } else { 0.0 };
-        work.t103 = if t100 { t94 } else { work.t21 };
+        let t100 = 20 < work.t031;
+        work.t101 = if t100 { t090 } else { 0.0 };
+        work.t102 = if t100 { t092 } else { 0.0 };
+        work.t103 = if t100 { t094 } else { work.t021 };
         let t104 = self.coasting;
         let t105 = t104 == 0;
         let t109 = if t105 { Status::Converged } else { Status::Coasting };

@@ -458,26 +458,26 @@ static WINDOW: [[f64; 16]; 41] = [
 
 /// What one part of a step hands to the next.
 struct Work {
-    t12: f64,
-    t13: usize,
-    t22: f64,
-    t37: f64,
-    t49: f64,
-    t74: usize,
-    t82: f64,
-    t83: f64,
-    t84: f64,
-    t85: f64,
-    t86: f64,
-    t87: f64,
-    t88: f64,
-    t89: f64,
-    t90: f64,
-    t91: f64,
-    t92: f64,
-    t93: f64,
-    t94: f64,
-    t95: f64,
+    t012: f64,
+    t013: usize,
+    t022: f64,
+    t037: f64,
+    t049: f64,
+    t074: usize,
+    t082: f64,
+    t083: f64,
+    t084: f64,
+    t085: f64,
+    t086: f64,
+    t087: f64,
+    t088: f64,
+    t089: f64,
+    t090: f64,
+    t091: f64,
+    t092: f64,
+    t093: f64,
+    t094: f64,
+    t095: f64,
     t150: f64,
     t197: f64,
     t198: f64,
@@ -489,26 +489,26 @@ struct Work {
 impl Work {
     /// Before the first part.
     const EMPTY: Self = Self {
-        t12: 0.0,
-        t13: 0,
-        t22: 0.0,
-        t37: 0.0,
-        t49: 0.0,
-        t74: 0,
-        t82: 0.0,
-        t83: 0.0,
-        t84: 0.0,
-        t85: 0.0,
-        t86: 0.0,
-        t87: 0.0,
-        t88: 0.0,
-        t89: 0.0,
-        t90: 0.0,
-        t91: 0.0,
-        t92: 0.0,
-        t93: 0.0,
-        t94: 0.0,
-        t95: 0.0,
+        t012: 0.0,
+        t013: 0,
+        t022: 0.0,
+        t037: 0.0,
+        t049: 0.0,
+        t074: 0,
+        t082: 0.0,
+        t083: 0.0,
+        t084: 0.0,
+        t085: 0.0,
+        t086: 0.0,
+        t087: 0.0,
+        t088: 0.0,
+        t089: 0.0,
+        t090: 0.0,
+        t091: 0.0,
+        t092: 0.0,
+        t093: 0.0,
+        t094: 0.0,
+        t095: 0.0,
         t150: 0.0,
         t197: 0.0,
         t198: 0.0,
@@ -557,214 +557,214 @@ impl Observer {
     /// Part 1 of a step.
     fn part_1(&mut self, measurements: Measurements, inputs: Inputs, work: &mut Work) {
         // samples: outside its range, infinite or NaN means missing
-        let t0 = self.newest;
-        let t1 = t0.min(40);
-        let t2 = self.count;
-        let t4 = 40 < t2;
-        let t5 = measurements.motor_angle;
-        let t6 = (-628.318_530_717_958_7..=628.318_530_717_958_7).contains(&t5);
-        let t7 = measurements.load_angle;
-        let t8 = (-628.318_530_717_958_7..=628.318_530_717_958_7).contains(&t7);
-        let t9 = inputs.torque;
-        let t10 = (-1e304..=1e304).contains(&t9);
-        let t11 = self.torque[t1];
-        work.t12 = if t10 { t9 } else { t11 };
+        let t000 = self.newest;
+        let t001 = t000.min(40);
+        let t002 = self.count;
+        let t004 = 40 < t002;
+        let t005 = measurements.motor_angle;
+        let t006 = (-628.318_530_717_958_7..=628.318_530_717_958_7).contains(&t005);
+        let t007 = measurements.load_angle;
+        let t008 = (-628.318_530_717_958_7..=628.318_530_717_958_7).contains(&t007);
+        let t009 = inputs.torque;
+        let t010 = (-1e304..=1e304).contains(&t009);
+        let t011 = self.torque[t001];
+        work.t012 = if t010 { t009 } else { t011 };
 
         // prediction, for a sample that is missing
-        work.t13 = if t1 < 40 { t1 + 1 } else { 0 };
-        let t14 = self.ahead_motor_angle;
-        let t15 = self.ahead_load_angle;
-        let t16 = self.motor_angle[t1];
-        let t17 = self.load_angle[t1];
-        let t18 = (-628.318_530_717_958_7..=628.318_530_717_958_7).contains(&t15);
-        let t19 = t4 && t18;
-        let t20 = if t19 { t15 } else { t17 };
-        let t21 = if t8 { t7 } else { t20 };
-        work.t22 = ::deadbeat::math::sin_f64(t21);
-        let t23 = work.t12 - t11;
-        let t25 = 4.154_200_521_167_732e-6 * t23;
-        let t26 = t14 + t25;
-        let t27 = self.sin_load_angle[t1];
-        let t28 = work.t22 - t27;
-        let t30 = -3.739_843_649_680_403e-9 * t28;
-        let t31 = t26 + t30;
-        let t32 = (-628.318_530_717_958_7..=628.318_530_717_958_7).contains(&t31);
-        let t33 = t4 && t32;
-        let t34 = if t33 { t31 } else { t16 };
-        let t35 = t6 || t33;
-        let t36 = !t35;
-        work.t37 = if t6 { t5 } else { t34 };
-        let t39 = 2.493_229_099_786_935e-9 * t23;
-        let t40 = t15 + t39;
-        let t42 = -1.249_252_031_270_064e-6 * t28;
-        let t43 = t40 + t42;
-        let t44 = (-628.318_530_717_958_7..=628.318_530_717_958_7).contains(&t43);
-        let t45 = t4 && t44;
-        let t46 = if t45 { t43 } else { t17 };
-        let t47 = t8 || t45;
-        let t48 = !t47;
-        work.t49 = if t8 { t7 } else { t46 };
-        let t50 = self.missed_motor_angle;
-        let t51 = 40 < t50;
-        let t52 = !t6;
-        let t53 = t52 && t51;
-        let t55 = if t50 < 41 { t50 + 1 } else { 41 };
-        let t56 = if t6 { 0 } else { t55 };
-        self.missed_motor_angle = t56;
-        let t57 = self.missed_load_angle;
-        let t58 = 40 < t57;
-        let t59 = !t8;
-        let t60 = t59 && t58;
-        let t61 = if t57 < 41 { t57 + 1 } else { 41 };
-        let t62 = if t8 { 0 } else { t61 };
-        self.missed_load_angle = t62;
-        let t63 = t53 || t60;
-        let t64 = t53 && t60;
-        let t65 = !t64;
-        let t66 = t63 && t65;
-        let t67 = t6 && t8;
-        let t68 = t67 && t10;
-        let t69 = t36 || t48;
-        let t70 = t69 || t66;
+        work.t013 = if t001 < 40 { t001 + 1 } else { 0 };
+        let t014 = self.ahead_motor_angle;
+        let t015 = self.ahead_load_angle;
+        let t016 = self.motor_angle[t001];
+        let t017 = self.load_angle[t001];
+        let t018 = (-628.318_530_717_958_7..=628.318_530_717_958_7).contains(&t015);
+        let t019 = t004 && t018;
+        let t020 = if t019 { t015 } else { t017 };
+        let t021 = if t008 { t007 } else { t020 };
+        work.t022 = ::deadbeat::math::sin_f64(t021);
+        let t023 = work.t012 - t011;
+        let t025 = 4.154_200_521_167_732e-6 * t023;
+        let t026 = t014 + t025;
+        let t027 = self.sin_load_angle[t001];
+        let t028 = work.t022 - t027;
+        let t030 = -3.739_843_649_680_403e-9 * t028;
+        let t031 = t026 + t030;
+        let t032 = (-628.318_530_717_958_7..=628.318_530_717_958_7).contains(&t031);
+        let t033 = t004 && t032;
+        let t034 = if t033 { t031 } else { t016 };
+        let t035 = t006 || t033;
+        let t036 = !t035;
+        work.t037 = if t006 { t005 } else { t034 };
+        let t039 = 2.493_229_099_786_935e-9 * t023;
+        let t040 = t015 + t039;
+        let t042 = -1.249_252_031_270_064e-6 * t028;
+        let t043 = t040 + t042;
+        let t044 = (-628.318_530_717_958_7..=628.318_530_717_958_7).contains(&t043);
+        let t045 = t004 && t044;
+        let t046 = if t045 { t043 } else { t017 };
+        let t047 = t008 || t045;
+        let t048 = !t047;
+        work.t049 = if t008 { t007 } else { t046 };
+        let t050 = self.missed_motor_angle;
+        let t051 = 40 < t050;
+        let t052 = !t006;
+        let t053 = t052 && t051;
+        let t055 = if t050 < 41 { t050 + 1 } else { 41 };
+        let t056 = if t006 { 0 } else { t055 };
+        self.missed_motor_angle = t056;
+        let t057 = self.missed_load_angle;
+        let t058 = 40 < t057;
+        let t059 = !t008;
+        let t060 = t059 && t058;
+        let t061 = if t057 < 41 { t057 + 1 } else { 41 };
+        let t062 = if t008 { 0 } else { t061 };
+        self.missed_load_angle = t062;
+        let t063 = t053 || t060;
+        let t064 = t053 && t060;
+        let t065 = !t064;
+        let t066 = t063 && t065;
+        let t067 = t006 && t008;
+        let t068 = t067 && t010;
+        let t069 = t036 || t048;
+        let t070 = t069 || t066;
 
         // how much of the window is good
-        let t71 = if t2 < 41 { t2 + 1 } else { 41 };
-        let t72 = if t70 { 0 } else { t71 };
-        let t73 = if t68 { t71 } else { 0 };
-        work.t74 = if t4 { t72 } else { t73 };
-        self.count = work.t74;
-        let t75 = self.coasting;
-        let t76 = t75.saturating_sub(1);
-        let t78 = if t68 { t76 } else { 41 };
-        self.coasting = t78;
+        let t071 = if t002 < 41 { t002 + 1 } else { 41 };
+        let t072 = if t070 { 0 } else { t071 };
+        let t073 = if t068 { t071 } else { 0 };
+        work.t074 = if t004 { t072 } else { t073 };
+        self.count = work.t074;
+        let t075 = self.coasting;
+        let t076 = t075.saturating_sub(1);
+        let t078 = if t068 { t076 } else { 41 };
+        self.coasting = t078;
     }
 
     /// Part 2 of a step.
     fn part_2(&mut self, work: &Work) {
         // into the window
-        self.newest = work.t13;
-        self.motor_angle[work.t13.min(40)] = work.t37;
-        self.load_angle[work.t13.min(40)] = work.t49;
-        self.torque[work.t13.min(40)] = work.t12;
-        self.sin_load_angle[work.t13.min(40)] = work.t22;
+        self.newest = work.t013;
+        self.motor_angle[work.t013.min(40)] = work.t037;
+        self.load_angle[work.t013.min(40)] = work.t049;
+        self.torque[work.t013.min(40)] = work.t012;
+        self.sin_load_angle[work.t013.min(40)] = work.t022;
     }
 
     /// Part 3 of a step.
     fn part_3(&self, work: &mut Work) {
         // the sums over the window, newest sample first
-        let mut t80: f64 = 0.0;
-        let mut t81: f64 = 0.0;
-        work.t82 = 0.0;
-        work.t83 = 0.0;
-        work.t84 = 0.0;
-        work.t85 = 0.0;
-        work.t86 = 0.0;
-        work.t87 = 0.0;
-        work.t88 = 0.0;
-        work.t89 = 0.0;
-        work.t90 = 0.0;
-        work.t91 = 0.0;
-        work.t92 = 0.0;
-        work.t93 = 0.0;
-        work.t94 = 0.0;
-        work.t95 = 0.0;
-        let mut t96: usize = work.t13;
+        let mut t080: f64 = 0.0;
+        let mut t081: f64 = 0.0;
+        work.t082 = 0.0;
+        work.t083 = 0.0;
+        work.t084 = 0.0;
+        work.t085 = 0.0;
+        work.t086 = 0.0;
+        work.t087 = 0.0;
+        work.t088 = 0.0;
+        work.t089 = 0.0;
+        work.t090 = 0.0;
+        work.t091 = 0.0;
+        work.t092 = 0.0;
+        work.t093 = 0.0;
+        work.t094 = 0.0;
+        work.t095 = 0.0;
+        let mut t096: usize = work.t013;
         for gains in &WINDOW {
-            let t97 = self.motor_angle[t96.min(40)];
-            let t98 = gains[0];
-            let t99 = t98 * t97;
-            let t100 = t80 + t99;
+            let t097 = self.motor_angle[t096.min(40)];
+            let t098 = gains[0];
+            let t099 = t098 * t097;
+            let t100 = t080 + t099;
             let t101 = gains[1];
-            let t102 = t101 * t97;
-            let t103 = work.t84 + t102;
+            let t102 = t101 * t097;
+            let t103 = work.t084 + t102;
             let t104 = gains[2];
-            let t105 = t104 * t97;
-            let t106 = work.t88 + t105;
+            let t105 = t104 * t097;
+            let t106 = work.t088 + t105;
             let t107 = gains[3];
-            let t108 = t107 * t97;
-            let t109 = work.t92 + t108;
-            let t110 = self.load_angle[t96.min(40)];
+            let t108 = t107 * t097;
+            let t109 = work.t092 + t108;
+            let t110 = self.load_angle[t096.min(40)];
             let t111 = gains[4];
             let t112 = t111 * t110;
-            let t113 = t81 + t112;
+            let t113 = t081 + t112;
             let t114 = gains[5];
             let t115 = t114 * t110;
-            let t116 = work.t85 + t115;
+            let t116 = work.t085 + t115;
             let t117 = gains[6];
             let t118 = t117 * t110;
-            let t119 = work.t89 + t118;
+            let t119 = work.t089 + t118;
             let t120 = gains[7];
             let t121 = t120 * t110;
-            let t122 = work.t93 + t121;
-            let t123 = self.torque[t96.min(40)];
+            let t122 = work.t093 + t121;
+            let t123 = self.torque[t096.min(40)];
             let t124 = gains[8];
             let t125 = t124 * t123;
-            let t126 = work.t82 + t125;
+            let t126 = work.t082 + t125;
             let t127 = gains[9];
             let t128 = t127 * t123;
-            let t129 = work.t86 + t128;
+            let t129 = work.t086 + t128;
             let t130 = gains[10];
             let t131 = t130 * t123;
-            let t132 = work.t90 + t131;
+            let t132 = work.t090 + t131;
             let t133 = gains[11];
             let t134 = t133 * t123;
-            let t135 = work.t94 + t134;
-            let t136 = self.sin_load_angle[t96.min(40)];
+            let t135 = work.t094 + t134;
+            let t136 = self.sin_load_angle[t096.min(40)];
             let t137 = gains[12];
             let t138 = t137 * t136;
-            let t139 = work.t83 + t138;
+            let t139 = work.t083 + t138;
             let t140 = gains[13];
             let t141 = t140 * t136;
-            let t142 = work.t87 + t141;
+            let t142 = work.t087 + t141;
             let t143 = gains[14];
             let t144 = t143 * t136;
-            let t145 = work.t91 + t144;
+            let t145 = work.t091 + t144;
             let t146 = gains[15];
             let t147 = t146 * t136;
-            let t148 = work.t95 + t147;
-            let t149 = t96.wrapping_sub(1).min(40);
-            t80 = t100;
-            t81 = t113;
-            work.t82 = t126;
-            work.t83 = t139;
-            work.t84 = t103;
-            work.t85 = t116;
-            work.t86 = t129;
-            work.t87 = t142;
-            work.t88 = t106;
-            work.t89 = t119;
-            work.t90 = t132;
-            work.t91 = t145;
-            work.t92 = t109;
-            work.t93 = t122;
-            work.t94 = t135;
-            work.t95 = t148;
-            t96 = t149;
+            let t148 = work.t095 + t147;
+            let t149 = t096.wrapping_sub(1).min(40);
+            t080 = t100;
+            t081 = t113;
+            work.t082 = t126;
+            work.t083 = t139;
+            work.t084 = t103;
+            work.t085 = t116;
+            work.t086 = t129;
+            work.t087 = t142;
+            work.t088 = t106;
+            work.t089 = t119;
+            work.t090 = t132;
+            work.t091 = t145;
+            work.t092 = t109;
+            work.t093 = t122;
+            work.t094 = t135;
+            work.t095 = t148;
+            t096 = t149;
         }
-        work.t150 = t80 + t81;
+        work.t150 = t080 + t081;
     }
 
     /// Part 4 of a step.
     fn part_4(&mut self, work: &mut Work) {
-        let t151 = work.t150 + work.t82;
-        let t152 = t151 + work.t83;
-        let t153 = work.t84 + work.t85;
-        let t154 = t153 + work.t86;
-        let t155 = t154 + work.t87;
-        let t156 = work.t88 + work.t89;
-        let t157 = t156 + work.t90;
-        let t158 = t157 + work.t91;
-        let t159 = work.t92 + work.t93;
-        let t160 = t159 + work.t94;
-        let t161 = t160 + work.t95;
+        let t151 = work.t150 + work.t082;
+        let t152 = t151 + work.t083;
+        let t153 = work.t084 + work.t085;
+        let t154 = t153 + work.t086;
+        let t155 = t154 + work.t087;
+        let t156 = work.t088 + work.t089;
+        let t157 = t156 + work.t090;
+        let t158 = t157 + work.t091;
+        let t159 = work.t092 + work.t093;
+        let t160 = t159 + work.t094;
+        let t161 = t160 + work.t095;
 
         // the next measurement, as far as it is known
         let t163 = 0.995_024_914_226_229_4 * t152;
         let t165 = 0.004_975_085_773_770_609 * t155;
         let t167 = 0.000_496_682_115_654_701_1 * t158;
         let t169 = 3.317_884_345_298_893_7e-6 * t161;
-        let t171 = 1.244_809_536_202_210_2e-5 * work.t12;
-        let t173 = -1.557_139_139_336_934e-8 * work.t22;
+        let t171 = 1.244_809_536_202_210_2e-5 * work.t012;
+        let t173 = -1.557_139_139_336_934e-8 * work.t022;
         let t174 = t163 + t165;
         let t175 = t174 + t167;
         let t176 = t169 + t171;
@@ -775,8 +775,8 @@ impl Observer {
         let t182 = 0.999_004_982_845_245_9 * t155;
         let t184 = 6.635_768_690_597_788e-7 * t158;
         let t186 = 0.000_499_336_423_130_940_2 * t161;
-        let t188 = 1.038_092_759_557_956e-8 * work.t12;
-        let t190 = -3.746_885_721_721_326_3e-6 * work.t22;
+        let t188 = 1.038_092_759_557_956e-8 * work.t012;
+        let t190 = -3.746_885_721_721_326_3e-6 * work.t022;
         let t191 = t180 + t182;
         let t192 = t191 + t184;
         let t193 = t186 + t188;
@@ -785,9 +785,9 @@ impl Observer {
         self.ahead_load_angle = t195;
 
         // the estimate; until the window is full, the start
-        let t196 = 40 < work.t74;
-        work.t197 = if t196 { t152 } else { work.t37 };
-        work.t198 = if t196 { t155 } else { work.t49 };
+        let t196 = 40 < work.t074;
+        work.t197 = if t196 { t152 } else { work.t037 };
+        work.t198 = if t196 { t155 } else { work.t049 };
         work.t199 = if t196 { t158 } else { 0.0 };
         work.t200 = if t196 { t161 } else { 0.0 };
         let t201 = self.coasting;

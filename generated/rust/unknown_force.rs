@@ -629,23 +629,23 @@ static WINDOW: [[f32; 15]; 100] = [
 
 /// What one part of a step hands to the next.
 struct Work {
-    t13: usize,
-    t27: f32,
-    t31: f32,
-    t61: usize,
-    t69: f32,
-    t70: f32,
-    t72: f32,
-    t73: f32,
-    t75: f32,
-    t76: f32,
-    t77: f32,
-    t78: f32,
-    t79: f32,
-    t80: f32,
-    t81: f32,
-    t82: f32,
-    t83: usize,
+    t013: usize,
+    t027: f32,
+    t031: f32,
+    t061: usize,
+    t069: f32,
+    t070: f32,
+    t072: f32,
+    t073: f32,
+    t075: f32,
+    t076: f32,
+    t077: f32,
+    t078: f32,
+    t079: f32,
+    t080: f32,
+    t081: f32,
+    t082: f32,
+    t083: usize,
     t133: f32,
     t136: f32,
     t139: f32,
@@ -661,23 +661,23 @@ struct Work {
 impl Work {
     /// Before the first part.
     const EMPTY: Self = Self {
-        t13: 0,
-        t27: 0.0,
-        t31: 0.0,
-        t61: 0,
-        t69: 0.0,
-        t70: 0.0,
-        t72: 0.0,
-        t73: 0.0,
-        t75: 0.0,
-        t76: 0.0,
-        t77: 0.0,
-        t78: 0.0,
-        t79: 0.0,
-        t80: 0.0,
-        t81: 0.0,
-        t82: 0.0,
-        t83: 0,
+        t013: 0,
+        t027: 0.0,
+        t031: 0.0,
+        t061: 0,
+        t069: 0.0,
+        t070: 0.0,
+        t072: 0.0,
+        t073: 0.0,
+        t075: 0.0,
+        t076: 0.0,
+        t077: 0.0,
+        t078: 0.0,
+        t079: 0.0,
+        t080: 0.0,
+        t081: 0.0,
+        t082: 0.0,
+        t083: 0,
         t133: 0.0,
         t136: 0.0,
         t139: 0.0,
@@ -729,205 +729,205 @@ impl Observer {
     /// Part 1 of a step.
     fn part_1(&mut self, measurements: Measurements, inputs: Inputs, work: &mut Work) {
         // samples: outside its range, infinite or NaN means missing
-        let t0 = self.newest;
-        let t1 = t0.min(100);
-        let t2 = self.count;
-        let t4 = 100 < t2;
-        let t5 = measurements.q;
-        let t6 = (-1e34..=1e34).contains(&t5);
-        let t7 = measurements.i;
-        let t8 = (-1e34..=1e34).contains(&t7);
-        let t9 = inputs.u;
-        let t10 = (-1e34..=1e34).contains(&t9);
-        let t11 = self.u[t1];
-        let t12 = if t10 { t9 } else { t11 };
+        let t000 = self.newest;
+        let t001 = t000.min(100);
+        let t002 = self.count;
+        let t004 = 100 < t002;
+        let t005 = measurements.q;
+        let t006 = (-1e34..=1e34).contains(&t005);
+        let t007 = measurements.i;
+        let t008 = (-1e34..=1e34).contains(&t007);
+        let t009 = inputs.u;
+        let t010 = (-1e34..=1e34).contains(&t009);
+        let t011 = self.u[t001];
+        let t012 = if t010 { t009 } else { t011 };
 
         // prediction, for a sample that is missing
-        work.t13 = if t1 < 100 { t1 + 1 } else { 0 };
-        let t14 = self.ahead_q;
-        let t16 = 7.255_501e-7 * t12;
-        let t17 = t14 + t16;
-        let t18 = self.ahead_i;
-        let t20 = 0.065_912_07 * t12;
-        let t21 = t18 + t20;
-        let t22 = self.q[t1];
-        let t23 = self.i[t1];
-        let t24 = (-1e34..=1e34).contains(&t17);
-        let t25 = t4 && t24;
-        let t26 = if t25 { t17 } else { t22 };
-        work.t27 = if t6 { t5 } else { t26 };
-        let t28 = (-1e34..=1e34).contains(&t21);
-        let t29 = t4 && t28;
-        let t30 = if t29 { t21 } else { t23 };
-        work.t31 = if t8 { t7 } else { t30 };
-        let t32 = t6 || t25;
-        let t33 = !t32;
-        let t34 = t8 || t29;
-        let t35 = !t34;
-        let t36 = self.missed_q;
-        let t37 = 100 < t36;
-        let t38 = !t6;
-        let t39 = t38 && t37;
-        let t41 = if t36 < 101 { t36 + 1 } else { 101 };
-        let t42 = if t6 { 0 } else { t41 };
-        self.missed_q = t42;
-        let t43 = self.missed_i;
-        let t44 = 100 < t43;
-        let t45 = !t8;
-        let t46 = t45 && t44;
-        let t47 = if t43 < 101 { t43 + 1 } else { 101 };
-        let t48 = if t8 { 0 } else { t47 };
-        self.missed_i = t48;
-        let t49 = t39 || t46;
-        let t50 = t39 && t46;
-        let t51 = !t50;
-        let t52 = t49 && t51;
-        let t53 = t6 && t8;
-        let t54 = t33 || t35;
-        let t55 = t54 || t52;
+        work.t013 = if t001 < 100 { t001 + 1 } else { 0 };
+        let t014 = self.ahead_q;
+        let t016 = 7.255_501e-7 * t012;
+        let t017 = t014 + t016;
+        let t018 = self.ahead_i;
+        let t020 = 0.065_912_07 * t012;
+        let t021 = t018 + t020;
+        let t022 = self.q[t001];
+        let t023 = self.i[t001];
+        let t024 = (-1e34..=1e34).contains(&t017);
+        let t025 = t004 && t024;
+        let t026 = if t025 { t017 } else { t022 };
+        work.t027 = if t006 { t005 } else { t026 };
+        let t028 = (-1e34..=1e34).contains(&t021);
+        let t029 = t004 && t028;
+        let t030 = if t029 { t021 } else { t023 };
+        work.t031 = if t008 { t007 } else { t030 };
+        let t032 = t006 || t025;
+        let t033 = !t032;
+        let t034 = t008 || t029;
+        let t035 = !t034;
+        let t036 = self.missed_q;
+        let t037 = 100 < t036;
+        let t038 = !t006;
+        let t039 = t038 && t037;
+        let t041 = if t036 < 101 { t036 + 1 } else { 101 };
+        let t042 = if t006 { 0 } else { t041 };
+        self.missed_q = t042;
+        let t043 = self.missed_i;
+        let t044 = 100 < t043;
+        let t045 = !t008;
+        let t046 = t045 && t044;
+        let t047 = if t043 < 101 { t043 + 1 } else { 101 };
+        let t048 = if t008 { 0 } else { t047 };
+        self.missed_i = t048;
+        let t049 = t039 || t046;
+        let t050 = t039 && t046;
+        let t051 = !t050;
+        let t052 = t049 && t051;
+        let t053 = t006 && t008;
+        let t054 = t033 || t035;
+        let t055 = t054 || t052;
 
         // how much of the window is good
-        let t57 = if t2 < 101 { t2 + 1 } else { 101 };
-        let t58 = if t55 { 0 } else { t57 };
-        let t59 = if t10 { t57 } else { 1 };
-        let t60 = if t53 { t59 } else { 0 };
-        work.t61 = if t4 { t58 } else { t60 };
-        self.count = work.t61;
-        let t62 = self.coasting;
-        let t63 = t62.saturating_sub(1);
-        let t64 = if t10 { t63 } else { 100 };
-        let t66 = if t53 { t64 } else { 101 };
-        self.coasting = t66;
+        let t057 = if t002 < 101 { t002 + 1 } else { 101 };
+        let t058 = if t055 { 0 } else { t057 };
+        let t059 = if t010 { t057 } else { 1 };
+        let t060 = if t053 { t059 } else { 0 };
+        work.t061 = if t004 { t058 } else { t060 };
+        self.count = work.t061;
+        let t062 = self.coasting;
+        let t063 = t062.saturating_sub(1);
+        let t064 = if t010 { t063 } else { 100 };
+        let t066 = if t053 { t064 } else { 101 };
+        self.coasting = t066;
 
         // into the window
-        self.newest = work.t13;
-        self.q[work.t13.min(100)] = work.t27;
-        self.i[work.t13.min(100)] = work.t31;
-        self.u[work.t13.min(100)] = t12;
+        self.newest = work.t013;
+        self.q[work.t013.min(100)] = work.t027;
+        self.i[work.t013.min(100)] = work.t031;
+        self.u[work.t013.min(100)] = t012;
     }
 
     /// Part 2 of a step.
     fn part_2(&self, work: &mut Work) {
         // the sums over the window, newest sample first
-        let mut t68: f32 = 0.0;
-        work.t69 = 0.0;
-        work.t70 = 0.0;
-        let mut t71: f32 = 0.0;
-        work.t72 = 0.0;
-        work.t73 = 0.0;
-        let mut t74: f32 = 0.0;
-        work.t75 = 0.0;
-        work.t76 = 0.0;
-        work.t77 = 0.0;
-        work.t78 = 0.0;
-        work.t79 = 0.0;
-        work.t80 = 0.0;
-        work.t81 = 0.0;
-        work.t82 = 0.0;
-        work.t83 = work.t13;
+        let mut t068: f32 = 0.0;
+        work.t069 = 0.0;
+        work.t070 = 0.0;
+        let mut t071: f32 = 0.0;
+        work.t072 = 0.0;
+        work.t073 = 0.0;
+        let mut t074: f32 = 0.0;
+        work.t075 = 0.0;
+        work.t076 = 0.0;
+        work.t077 = 0.0;
+        work.t078 = 0.0;
+        work.t079 = 0.0;
+        work.t080 = 0.0;
+        work.t081 = 0.0;
+        work.t082 = 0.0;
+        work.t083 = work.t013;
         for gains in &WINDOW {
-            let t84 = self.q[work.t83.min(100)];
-            let t85 = gains[0];
-            let t86 = t85 * t84;
-            let t87 = t68 + t86;
-            let t88 = gains[1];
-            let t89 = t88 * t84;
-            let t90 = t71 + t89;
-            let t91 = gains[2];
-            let t92 = t91 * t84;
-            let t93 = t74 + t92;
-            let t94 = gains[3];
-            let t95 = t94 * t84;
-            let t96 = work.t77 + t95;
-            let t97 = gains[4];
-            let t98 = t97 * t84;
-            let t99 = work.t80 + t98;
-            let t100 = self.i[work.t83.min(100)];
+            let t084 = self.q[work.t083.min(100)];
+            let t085 = gains[0];
+            let t086 = t085 * t084;
+            let t087 = t068 + t086;
+            let t088 = gains[1];
+            let t089 = t088 * t084;
+            let t090 = t071 + t089;
+            let t091 = gains[2];
+            let t092 = t091 * t084;
+            let t093 = t074 + t092;
+            let t094 = gains[3];
+            let t095 = t094 * t084;
+            let t096 = work.t077 + t095;
+            let t097 = gains[4];
+            let t098 = t097 * t084;
+            let t099 = work.t080 + t098;
+            let t100 = self.i[work.t083.min(100)];
             let t101 = gains[5];
             let t102 = t101 * t100;
-            let t103 = work.t69 + t102;
+            let t103 = work.t069 + t102;
             let t104 = gains[6];
             let t105 = t104 * t100;
-            let t106 = work.t72 + t105;
+            let t106 = work.t072 + t105;
             let t107 = gains[7];
             let t108 = t107 * t100;
-            let t109 = work.t75 + t108;
+            let t109 = work.t075 + t108;
             let t110 = gains[8];
             let t111 = t110 * t100;
-            let t112 = work.t78 + t111;
+            let t112 = work.t078 + t111;
             let t113 = gains[9];
             let t114 = t113 * t100;
-            let t115 = work.t81 + t114;
-            let t116 = self.u[work.t83.min(100)];
+            let t115 = work.t081 + t114;
+            let t116 = self.u[work.t083.min(100)];
             let t117 = gains[10];
             let t118 = t117 * t116;
-            let t119 = work.t70 + t118;
+            let t119 = work.t070 + t118;
             let t120 = gains[11];
             let t121 = t120 * t116;
-            let t122 = work.t73 + t121;
+            let t122 = work.t073 + t121;
             let t123 = gains[12];
             let t124 = t123 * t116;
-            let t125 = work.t76 + t124;
+            let t125 = work.t076 + t124;
             let t126 = gains[13];
             let t127 = t126 * t116;
-            let t128 = work.t79 + t127;
+            let t128 = work.t079 + t127;
             let t129 = gains[14];
             let t130 = t129 * t116;
-            let t131 = work.t82 + t130;
-            let t132 = work.t83.wrapping_sub(1).min(100);
-            t68 = t87;
-            work.t69 = t103;
-            work.t70 = t119;
-            t71 = t90;
-            work.t72 = t106;
-            work.t73 = t122;
-            t74 = t93;
-            work.t75 = t109;
-            work.t76 = t125;
-            work.t77 = t96;
-            work.t78 = t112;
-            work.t79 = t128;
-            work.t80 = t99;
-            work.t81 = t115;
-            work.t82 = t131;
-            work.t83 = t132;
+            let t131 = work.t082 + t130;
+            let t132 = work.t083.wrapping_sub(1).min(100);
+            t068 = t087;
+            work.t069 = t103;
+            work.t070 = t119;
+            t071 = t090;
+            work.t072 = t106;
+            work.t073 = t122;
+            t074 = t093;
+            work.t075 = t109;
+            work.t076 = t125;
+            work.t077 = t096;
+            work.t078 = t112;
+            work.t079 = t128;
+            work.t080 = t099;
+            work.t081 = t115;
+            work.t082 = t131;
+            work.t083 = t132;
         }
-        work.t133 = self.q[work.t83.min(100)];
+        work.t133 = self.q[work.t083.min(100)];
         let t135 = 0.026_985_422 * work.t133;
-        work.t136 = t68 + t135;
+        work.t136 = t068 + t135;
         let t138 = 1.007_180_8 * work.t133;
-        work.t139 = t71 + t138;
+        work.t139 = t071 + t138;
         let t141 = -0.281_902_3 * work.t133;
-        work.t142 = t74 + t141;
+        work.t142 = t074 + t141;
     }
 
     /// Part 3 of a step.
     fn part_3(&mut self, work: &mut Work) {
         let t144 = 15.440_052 * work.t133;
-        let t145 = work.t77 + t144;
+        let t145 = work.t077 + t144;
         let t147 = -0.540_301_8 * work.t133;
-        let t148 = work.t80 + t147;
-        let t149 = self.i[work.t83.min(100)];
+        let t148 = work.t080 + t147;
+        let t149 = self.i[work.t083.min(100)];
         let t151 = -3.199_253_5e-5 * t149;
-        let t152 = work.t69 + t151;
+        let t152 = work.t069 + t151;
         let t154 = -0.001_049_848_3 * t149;
-        let t155 = work.t72 + t154;
+        let t155 = work.t072 + t154;
         let t157 = -0.006_798_362 * t149;
-        let t158 = work.t75 + t157;
+        let t158 = work.t075 + t157;
         let t160 = 0.091_217_145 * t149;
-        let t161 = work.t78 + t160;
+        let t161 = work.t078 + t160;
         let t163 = -0.034_902_144 * t149;
-        let t164 = work.t81 + t163;
+        let t164 = work.t081 + t163;
         let t165 = work.t136 + t152;
-        let t166 = t165 + work.t70;
+        let t166 = t165 + work.t070;
         let t167 = work.t139 + t155;
-        let t168 = t167 + work.t73;
+        let t168 = t167 + work.t073;
         let t169 = work.t142 + t158;
-        let t170 = t169 + work.t76;
+        let t170 = t169 + work.t076;
         let t171 = t145 + t161;
-        let t172 = t171 + work.t79;
+        let t172 = t171 + work.t079;
         let t173 = t148 + t164;
-        let t174 = t173 + work.t82;
+        let t174 = t173 + work.t082;
 
         // the next measurement, as far as it is known
         let t176 = 0.001_997_341_4 * t168;
@@ -949,10 +949,10 @@ impl Observer {
         self.ahead_i = t195;
 
         // the estimate; until the window is full, the start
-        let t196 = 100 < work.t61;
-        work.t197 = if t196 { t166 } else { work.t27 };
+        let t196 = 100 < work.t061;
+        work.t197 = if t196 { t166 } else { work.t027 };
         work.t198 = if t196 { t168 } else { 0.0 };
-        work.t199 = if t196 { t170 } else { work.t31 };
+        work.t199 = if t196 { t170 } else { work.t031 };
         work.t200 = if t196 { t172 } else { 0.0 };
         work.t201 = if t196 { t174 } else { 0.0 };
         let t202 = self.coasting;

@@ -228,32 +228,32 @@ static SHOWN: [[f64; 2]; 100] = [
 
 /// What one part of a step hands to the next.
 struct Work {
-    t5: usize,
-    t14: f64,
-    t15: usize,
-    t27: usize,
-    t32: f64,
-    t33: f64,
-    t41: f64,
-    t46: f64,
-    t47: f64,
-    t51: f64,
-    t57: f64,
-    t63: f64,
-    t72: f64,
-    t78: usize,
-    t85: usize,
-    t89: f64,
-    t90: f64,
-    t91: f64,
-    t92: usize,
-    t93: f64,
-    t94: f64,
-    t95: f64,
-    t96: f64,
-    t97: f64,
-    t98: f64,
-    t99: f64,
+    t005: usize,
+    t014: f64,
+    t015: usize,
+    t027: usize,
+    t032: f64,
+    t033: f64,
+    t041: f64,
+    t046: f64,
+    t047: f64,
+    t051: f64,
+    t057: f64,
+    t063: f64,
+    t072: f64,
+    t078: usize,
+    t085: usize,
+    t089: f64,
+    t090: f64,
+    t091: f64,
+    t092: usize,
+    t093: f64,
+    t094: f64,
+    t095: f64,
+    t096: f64,
+    t097: f64,
+    t098: f64,
+    t099: f64,
     t100: f64,
     t101: f64,
     t102: f64,
@@ -394,32 +394,32 @@ struct Work {
 impl Work {
     /// Before the first part.
     const EMPTY: Self = Self {
-        t5: 0,
-        t14: 0.0,
-        t15: 0,
-        t27: 0,
-        t32: 0.0,
-        t33: 0.0,
-        t41: 0.0,
-        t46: 0.0,
-        t47: 0.0,
-        t51: 0.0,
-        t57: 0.0,
-        t63: 0.0,
-        t72: 0.0,
-        t78: 0,
-        t85: 0,
-        t89: 0.0,
-        t90: 0.0,
-        t91: 0.0,
-        t92: 0,
-        t93: 0.0,
-        t94: 0.0,
-        t95: 0.0,
-        t96: 0.0,
-        t97: 0.0,
-        t98: 0.0,
-        t99: 0.0,
+        t005: 0,
+        t014: 0.0,
+        t015: 0,
+        t027: 0,
+        t032: 0.0,
+        t033: 0.0,
+        t041: 0.0,
+        t046: 0.0,
+        t047: 0.0,
+        t051: 0.0,
+        t057: 0.0,
+        t063: 0.0,
+        t072: 0.0,
+        t078: 0,
+        t085: 0,
+        t089: 0.0,
+        t090: 0.0,
+        t091: 0.0,
+        t092: 0,
+        t093: 0.0,
+        t094: 0.0,
+        t095: 0.0,
+        t096: 0.0,
+        t097: 0.0,
+        t098: 0.0,
+        t099: 0.0,
         t100: 0.0,
         t101: 0.0,
         t102: 0.0,
@@ -609,166 +609,166 @@ impl Observer {
     /// Part 1 of a step.
     fn part_1(&mut self, measurements: Measurements, inputs: Inputs, work: &mut Work) {
         // samples: outside its range, infinite or NaN means missing
-        let t0 = self.newest;
-        let t1 = t0.min(100);
-        let t2 = self.count;
-        let t4 = 100 < t2;
-        work.t5 = self.found;
-        work.flags[0] = 0 < work.t5;
-        let t8 = t4 && work.flags[0];
-        let t9 = measurements.x;
-        let t10 = (-3.0..=3.0).contains(&t9);
-        let t11 = inputs.u;
-        let t12 = (-1e152..=1e152).contains(&t11);
-        let t13 = self.u[t1];
-        work.t14 = if t12 { t11 } else { t13 };
+        let t000 = self.newest;
+        let t001 = t000.min(100);
+        let t002 = self.count;
+        let t004 = 100 < t002;
+        work.t005 = self.found;
+        work.flags[0] = 0 < work.t005;
+        let t008 = t004 && work.flags[0];
+        let t009 = measurements.x;
+        let t010 = (-3.0..=3.0).contains(&t009);
+        let t011 = inputs.u;
+        let t012 = (-1e152..=1e152).contains(&t011);
+        let t013 = self.u[t001];
+        work.t014 = if t012 { t011 } else { t013 };
 
         // prediction, for a sample that is missing
-        work.t15 = if t1 < 100 { t1 + 1 } else { 0 };
-        let t16 = self.ahead_x;
-        let t18 = 4.998_333_555_539_683_6e-5 * work.t14;
-        let t19 = t16 + t18;
-        let t20 = self.x[t1];
-        let t21 = (-3.0..=3.0).contains(&t19);
-        let t22 = t8 && t21;
-        let t23 = if t22 { t19 } else { t20 };
-        let t24 = if t10 { t9 } else { t23 };
-        work.t27 = self.calls;
-        let t28 = ::deadbeat::math::f64_from_index(work.t27);
-        let t30 = t28 * 0.01;
-        let t31 = 3.0 * t30;
-        work.t32 = ::deadbeat::math::sin_f64(t31);
-        work.t33 = ::deadbeat::math::cos_f64(t31);
-        let t36 = -6.25 * t24;
-        let t37 = -1.5625 + t36;
-        let t38 = t24 * t24;
-        let t39 = -6.25 * t38;
-        let t40 = t37 + t39;
-        work.t41 = ::deadbeat::math::exp_f64(t40);
-        let t43 = 6.25 * t24;
-        let t44 = -1.5625 + t43;
-        let t45 = t44 + t39;
-        work.t46 = ::deadbeat::math::exp_f64(t45);
-        work.t47 = ::deadbeat::math::exp_f64(t39);
-        let t48 = self.exp_1_5625_6_25_x_6_25_x_2[t1];
-        let t49 = work.t41 - t48;
-        work.t51 = self.found_left;
-        let t52 = 0.000_133_306_669_206_208_1 * work.t51;
-        let t53 = t52 * t49;
-        let t54 = t19 + t53;
-        let t55 = self.exp_1_5625_6_25_x_6_25_x_2_2[t1];
-        let t56 = work.t46 - t55;
-        work.t57 = self.found_right;
-        let t58 = 0.000_133_306_669_206_208_1 * work.t57;
-        let t59 = t58 * t56;
-        let t60 = t54 + t59;
-        let t61 = self.exp_6_25_x_2[t1];
-        let t62 = work.t47 - t61;
-        work.t63 = self.found_middle;
-        let t64 = 0.000_133_306_669_206_208_1 * work.t63;
-        let t65 = t64 * t62;
-        let t66 = t60 + t65;
-        let t67 = (-3.0..=3.0).contains(&t66);
-        let t68 = t8 && t67;
-        let t69 = if t68 { t66 } else { t20 };
-        let t70 = t10 || t68;
-        let t71 = !t70;
-        work.t72 = if t10 { t9 } else { t69 };
+        work.t015 = if t001 < 100 { t001 + 1 } else { 0 };
+        let t016 = self.ahead_x;
+        let t018 = 4.998_333_555_539_683_6e-5 * work.t014;
+        let t019 = t016 + t018;
+        let t020 = self.x[t001];
+        let t021 = (-3.0..=3.0).contains(&t019);
+        let t022 = t008 && t021;
+        let t023 = if t022 { t019 } else { t020 };
+        let t024 = if t010 { t009 } else { t023 };
+        work.t027 = self.calls;
+        let t028 = ::deadbeat::math::f64_from_index(work.t027);
+        let t030 = t028 * 0.01;
+        let t031 = 3.0 * t030;
+        work.t032 = ::deadbeat::math::sin_f64(t031);
+        work.t033 = ::deadbeat::math::cos_f64(t031);
+        let t036 = -6.25 * t024;
+        let t037 = -1.5625 + t036;
+        let t038 = t024 * t024;
+        let t039 = -6.25 * t038;
+        let t040 = t037 + t039;
+        work.t041 = ::deadbeat::math::exp_f64(t040);
+        let t043 = 6.25 * t024;
+        let t044 = -1.5625 + t043;
+        let t045 = t044 + t039;
+        work.t046 = ::deadbeat::math::exp_f64(t045);
+        work.t047 = ::deadbeat::math::exp_f64(t039);
+        let t048 = self.exp_1_5625_6_25_x_6_25_x_2[t001];
+        let t049 = work.t041 - t048;
+        work.t051 = self.found_left;
+        let t052 = 0.000_133_306_669_206_208_1 * work.t051;
+        let t053 = t052 * t049;
+        let t054 = t019 + t053;
+        let t055 = self.exp_1_5625_6_25_x_6_25_x_2_2[t001];
+        let t056 = work.t046 - t055;
+        work.t057 = self.found_right;
+        let t058 = 0.000_133_306_669_206_208_1 * work.t057;
+        let t059 = t058 * t056;
+        let t060 = t054 + t059;
+        let t061 = self.exp_6_25_x_2[t001];
+        let t062 = work.t047 - t061;
+        work.t063 = self.found_middle;
+        let t064 = 0.000_133_306_669_206_208_1 * work.t063;
+        let t065 = t064 * t062;
+        let t066 = t060 + t065;
+        let t067 = (-3.0..=3.0).contains(&t066);
+        let t068 = t008 && t067;
+        let t069 = if t068 { t066 } else { t020 };
+        let t070 = t010 || t068;
+        let t071 = !t070;
+        work.t072 = if t010 { t009 } else { t069 };
 
         // how much of the window is good
-        let t74 = if t2 < 101 { t2 + 1 } else { 101 };
-        let t75 = if t71 { 0 } else { t74 };
-        let t76 = if t12 { t74 } else { 1 };
-        let t77 = if t10 { t76 } else { 0 };
-        work.t78 = if t8 { t75 } else { t77 };
-        self.count = work.t78;
-        let t79 = self.coasting;
-        let t80 = t79.saturating_sub(1);
-        let t81 = if t12 { t80 } else { 100 };
-        let t83 = if t10 { t81 } else { 101 };
-        self.coasting = t83;
+        let t074 = if t002 < 101 { t002 + 1 } else { 101 };
+        let t075 = if t071 { 0 } else { t074 };
+        let t076 = if t012 { t074 } else { 1 };
+        let t077 = if t010 { t076 } else { 0 };
+        work.t078 = if t008 { t075 } else { t077 };
+        self.count = work.t078;
+        let t079 = self.coasting;
+        let t080 = t079.saturating_sub(1);
+        let t081 = if t012 { t080 } else { 100 };
+        let t083 = if t010 { t081 } else { 101 };
+        self.coasting = t083;
     }
 
     /// Part 2 of a step.
     fn part_2(&mut self, work: &Work) {
         // into the window
-        self.newest = work.t15;
-        self.x[work.t15.min(100)] = work.t72;
-        self.u[work.t15.min(100)] = work.t14;
-        self.sin_3_t[work.t15.min(100)] = work.t32;
-        self.cos_3_t[work.t15.min(100)] = work.t33;
-        self.exp_1_5625_6_25_x_6_25_x_2[work.t15.min(100)] = work.t41;
-        self.exp_1_5625_6_25_x_6_25_x_2_2[work.t15.min(100)] = work.t46;
-        self.exp_6_25_x_2[work.t15.min(100)] = work.t47;
-        let t84 = if work.t27 < 4_294_967_295 { work.t27 + 1 } else { 4_294_967_295 };
-        self.calls = t84;
+        self.newest = work.t015;
+        self.x[work.t015.min(100)] = work.t072;
+        self.u[work.t015.min(100)] = work.t014;
+        self.sin_3_t[work.t015.min(100)] = work.t032;
+        self.cos_3_t[work.t015.min(100)] = work.t033;
+        self.exp_1_5625_6_25_x_6_25_x_2[work.t015.min(100)] = work.t041;
+        self.exp_1_5625_6_25_x_6_25_x_2_2[work.t015.min(100)] = work.t046;
+        self.exp_6_25_x_2[work.t015.min(100)] = work.t047;
+        let t084 = if work.t027 < 4_294_967_295 { work.t027 + 1 } else { 4_294_967_295 };
+        self.calls = t084;
     }
 
     /// Part 3 of a step.
     fn part_3(&self, work: &mut Work) {
         // the responses over the window, oldest sample first
-        work.t85 = if work.t15 < 100 { work.t15 + 1 } else { 0 };
-        work.t89 = self.x[work.t85.min(100)];
-        work.t90 = -0.139_583_425_199_774_2 * work.t89;
-        work.t91 = -9.444_865_444_777_348e-5 * work.t89;
+        work.t085 = if work.t015 < 100 { work.t015 + 1 } else { 0 };
+        work.t089 = self.x[work.t085.min(100)];
+        work.t090 = -0.139_583_425_199_774_2 * work.t089;
+        work.t091 = -9.444_865_444_777_348e-5 * work.t089;
     }
 
     /// Part 4 of a step, for one row of `SHOWN`.
     fn part_4(&self, work: &mut Work, gains: [f64; 2]) {
-        work.t117 = if work.t92 < 100 { work.t92 + 1 } else { 0 };
-        let t119 = 0.998_000_666_577_784_1 * work.t93;
-        let t121 = 0.009_993_334_666_539_69 * work.t94;
+        work.t117 = if work.t092 < 100 { work.t092 + 1 } else { 0 };
+        let t119 = 0.998_000_666_577_784_1 * work.t093;
+        let t121 = 0.009_993_334_666_539_69 * work.t094;
         let t122 = self.u[work.t117.min(100)];
         let t123 = 4.998_333_555_539_683_6e-5 * t122;
         let t124 = t119 + t121;
         work.t125 = t124 + t123;
-        let t127 = -0.399_733_386_661_587_6 * work.t93;
-        let t128 = 0.998_000_666_577_784_1 * work.t94;
+        let t127 = -0.399_733_386_661_587_6 * work.t093;
+        let t128 = 0.998_000_666_577_784_1 * work.t094;
         let t129 = 0.009_993_334_666_539_69 * t122;
         let t130 = t127 + t128;
         work.t131 = t130 + t129;
-        let t132 = 0.998_000_666_577_784_1 * work.t95;
-        let t133 = 0.009_993_334_666_539_69 * work.t96;
-        let t134 = self.exp_1_5625_6_25_x_6_25_x_2[work.t92.min(100)];
+        let t132 = 0.998_000_666_577_784_1 * work.t095;
+        let t133 = 0.009_993_334_666_539_69 * work.t096;
+        let t134 = self.exp_1_5625_6_25_x_6_25_x_2[work.t092.min(100)];
         let t136 = 0.000_266_560_015_236_966_5 * t134;
         let t137 = self.exp_1_5625_6_25_x_6_25_x_2[work.t117.min(100)];
         let t138 = 0.000_133_306_669_206_208_1 * t137;
         let t139 = t132 + t133;
         let t140 = t139 + t136;
         work.t141 = t140 + t138;
-        let t142 = -0.399_733_386_661_587_6 * work.t95;
-        let t143 = 0.998_000_666_577_784_1 * work.t96;
+        let t142 = -0.399_733_386_661_587_6 * work.t095;
+        let t143 = 0.998_000_666_577_784_1 * work.t096;
         let t145 = 0.039_960_008_888_000_054 * t134;
         let t147 = 0.039_986_668_444_317_47 * t137;
         let t148 = t142 + t143;
         let t149 = t148 + t145;
         work.t150 = t149 + t147;
-        let t151 = 0.998_000_666_577_784_1 * work.t97;
-        let t152 = 0.009_993_334_666_539_69 * work.t98;
-        let t153 = self.exp_6_25_x_2[work.t92.min(100)];
+        let t151 = 0.998_000_666_577_784_1 * work.t097;
+        let t152 = 0.009_993_334_666_539_69 * work.t098;
+        let t153 = self.exp_6_25_x_2[work.t092.min(100)];
         let t154 = 0.000_266_560_015_236_966_5 * t153;
         let t155 = self.exp_6_25_x_2[work.t117.min(100)];
         let t156 = 0.000_133_306_669_206_208_1 * t155;
         let t157 = t151 + t152;
         let t158 = t157 + t154;
         work.t159 = t158 + t156;
-        let t160 = -0.399_733_386_661_587_6 * work.t97;
-        let t161 = 0.998_000_666_577_784_1 * work.t98;
+        let t160 = -0.399_733_386_661_587_6 * work.t097;
+        let t161 = 0.998_000_666_577_784_1 * work.t098;
         let t162 = 0.039_960_008_888_000_054 * t153;
         let t163 = 0.039_986_668_444_317_47 * t155;
         let t164 = t160 + t161;
         let t165 = t164 + t162;
         work.t166 = t165 + t163;
-        let t167 = 0.998_000_666_577_784_1 * work.t99;
+        let t167 = 0.998_000_666_577_784_1 * work.t099;
         let t168 = 0.009_993_334_666_539_69 * work.t100;
-        let t169 = self.exp_1_5625_6_25_x_6_25_x_2_2[work.t92.min(100)];
+        let t169 = self.exp_1_5625_6_25_x_6_25_x_2_2[work.t092.min(100)];
         let t170 = 0.000_266_560_015_236_966_5 * t169;
         let t171 = self.exp_1_5625_6_25_x_6_25_x_2_2[work.t117.min(100)];
         let t172 = 0.000_133_306_669_206_208_1 * t171;
         let t173 = t167 + t168;
         let t174 = t173 + t170;
         work.t175 = t174 + t172;
-        let t176 = -0.399_733_386_661_587_6 * work.t99;
+        let t176 = -0.399_733_386_661_587_6 * work.t099;
         let t177 = 0.998_000_666_577_784_1 * work.t100;
         let t178 = 0.039_960_008_888_000_054 * t169;
         let t179 = 0.039_986_668_444_317_47 * t171;
@@ -777,9 +777,9 @@ impl Observer {
         work.t182 = t181 + t179;
         let t183 = 0.998_000_666_577_784_1 * work.t101;
         let t184 = 0.009_993_334_666_539_69 * work.t102;
-        let t185 = self.sin_3_t[work.t92.min(100)];
+        let t185 = self.sin_3_t[work.t092.min(100)];
         let t187 = 0.000_399_836_689_342_810_2 * t185;
-        let t188 = self.cos_3_t[work.t92.min(100)];
+        let t188 = self.cos_3_t[work.t092.min(100)];
         let t190 = 3.999_020_097_185_029e-6 * t188;
         let t191 = t183 + t184;
         let t192 = t191 + t187;
@@ -831,14 +831,14 @@ impl Observer {
 
     /// Part 6 of a step.
     fn part_6(&self, work: &mut Work) {
-        work.t92 = work.t85;
-        work.t93 = 0.0;
-        work.t94 = 0.0;
-        work.t95 = 0.0;
-        work.t96 = 0.0;
-        work.t97 = 0.0;
-        work.t98 = 0.0;
-        work.t99 = 0.0;
+        work.t092 = work.t085;
+        work.t093 = 0.0;
+        work.t094 = 0.0;
+        work.t095 = 0.0;
+        work.t096 = 0.0;
+        work.t097 = 0.0;
+        work.t098 = 0.0;
+        work.t099 = 0.0;
         work.t100 = 0.0;
         work.t101 = 0.0;
         work.t102 = 0.0;
@@ -850,8 +850,8 @@ impl Observer {
         work.t108 = 0.0;
         work.t109 = 0.0;
         work.t110 = 0.0;
-        work.t111 = work.t90;
-        work.t112 = work.t91;
+        work.t111 = work.t090;
+        work.t112 = work.t091;
         work.t113 = 0.0;
         work.t114 = 0.0;
         work.t115 = 0.0;
@@ -859,14 +859,14 @@ impl Observer {
         for gains in &SHOWN {
             self.part_4(work, *gains);
             Self::part_5(work);
-            work.t92 = work.t117;
-            work.t93 = work.t125;
-            work.t94 = work.t131;
-            work.t95 = work.t141;
-            work.t96 = work.t150;
-            work.t97 = work.t159;
-            work.t98 = work.t166;
-            work.t99 = work.t175;
+            work.t092 = work.t117;
+            work.t093 = work.t125;
+            work.t094 = work.t131;
+            work.t095 = work.t141;
+            work.t096 = work.t150;
+            work.t097 = work.t159;
+            work.t098 = work.t166;
+            work.t099 = work.t175;
             work.t100 = work.t182;
             work.t101 = work.t193;
             work.t102 = work.t202;
@@ -908,7 +908,7 @@ impl Observer {
         let t251 = -0.139_583_425_199_774_2 * work.t111;
         let t252 = -9.444_865_444_777_348e-5 * work.t112;
         let t253 = t251 + t252;
-        let t254 = work.t89 - t253;
+        let t254 = work.t089 - t253;
         let t255 = t238 * t238;
         work.t256 = 0.0 + t255;
         let t257 = t242 * t238;
@@ -1077,7 +1077,7 @@ impl Observer {
 
     /// Part 10 of a step.
     fn part_10(&self, work: &mut Work) {
-        work.t283 = work.t85;
+        work.t283 = work.t085;
         work.t284 = 0.0;
         work.t285 = 0.0;
         work.t286 = 0.0;
@@ -1225,18 +1225,18 @@ impl Observer {
     fn part_12(&mut self, work: &mut Work) {
         let t531 = (-1e152..=1e152).contains(&work.t509);
         let t532 = work.flags[1] && t531;
-        let t533 = 100 < work.t78;
+        let t533 = 100 < work.t078;
         work.flags[2] = t533 && t532;
         let t535 = work.flags[2] || work.flags[0];
         work.flags[3] = t533 && t535;
-        let t537 = if work.t5 < 1 { work.t5 + 1 } else { 1 };
+        let t537 = if work.t005 < 1 { work.t005 + 1 } else { 1 };
         let t538 = if work.flags[3] { t537 } else { 0 };
         self.found = t538;
-        let t539 = if work.flags[2] { work.t524 } else { work.t51 };
+        let t539 = if work.flags[2] { work.t524 } else { work.t051 };
         self.found_left = t539;
-        let t540 = if work.flags[2] { work.t517 } else { work.t63 };
+        let t540 = if work.flags[2] { work.t517 } else { work.t063 };
         self.found_middle = t540;
-        let t541 = if work.flags[2] { work.t512 } else { work.t57 };
+        let t541 = if work.flags[2] { work.t512 } else { work.t057 };
         self.found_right = t541;
         let t542 = self.found_shake;
         let t543 = if work.flags[2] { work.t509 } else { t542 };
@@ -1261,11 +1261,11 @@ impl Observer {
         let t559 = work.t112 - t558;
         let t561 = -0.139_463_995_254_805_63 * t551;
         let t563 = 0.005_773_693_671_891_355 * t559;
-        let t564 = t539 * work.t95;
-        let t565 = t540 * work.t97;
-        let t566 = t541 * work.t99;
+        let t564 = t539 * work.t095;
+        let t565 = t540 * work.t097;
+        let t566 = t541 * work.t099;
         let t567 = t543 * work.t101;
-        let t568 = work.t93 + t561;
+        let t568 = work.t093 + t561;
         let t569 = t568 + t563;
         let t570 = t564 + t565;
         let t571 = t570 + t566;
@@ -1273,11 +1273,11 @@ impl Observer {
         work.t573 = t569 + t572;
         let t575 = 0.036_511_158_879_724_04 * t551;
         let t577 = 0.896_609_013_423_759_2 * t559;
-        let t578 = t539 * work.t96;
-        let t579 = t540 * work.t98;
+        let t578 = t539 * work.t096;
+        let t579 = t540 * work.t098;
         let t580 = t541 * work.t100;
         let t581 = t543 * work.t102;
-        let t582 = work.t94 + t575;
+        let t582 = work.t094 + t575;
         let t583 = t582 + t577;
         let t584 = t578 + t579;
         let t585 = t584 + t580;
@@ -1296,18 +1296,18 @@ impl Observer {
         let t596 = 0.009_993_334_666_539_69 * work.t587;
         let t598 = self.found_shake;
         let t599 = 0.000_399_836_689_342_810_2 * t598;
-        let t600 = t599 * work.t32;
+        let t600 = t599 * work.t032;
         let t602 = 3.999_020_097_185_029e-6 * t598;
-        let t603 = t602 * work.t33;
+        let t603 = t602 * work.t033;
         let t605 = self.found_left;
         let t606 = 0.000_399_866_684_443_174_7 * t605;
-        let t607 = t606 * work.t41;
+        let t607 = t606 * work.t041;
         let t608 = self.found_right;
         let t609 = 0.000_399_866_684_443_174_7 * t608;
-        let t610 = t609 * work.t46;
+        let t610 = t609 * work.t046;
         let t611 = self.found_middle;
         let t612 = 0.000_399_866_684_443_174_7 * t611;
-        let t613 = t612 * work.t47;
+        let t613 = t612 * work.t047;
         let t614 = t594 + t596;
         let t615 = t614 + t600;
         let t616 = t603 + t607;
@@ -1315,7 +1315,7 @@ impl Observer {
         let t618 = t617 + t613;
         let t619 = t615 + t618;
         self.ahead_x = t619;
-        work.t620 = if work.flags[3] { work.t573 } else { work.t72 };
+        work.t620 = if work.flags[3] { work.t573 } else { work.t072 };
         work.t621 = if work.flags[3] { work.t587 } else { 0.0 };
         work.t622 = if work.flags[3] { work.t589 } else { 0.0 };
         work.t623 = if work.flags[3] { work.t590 } else { 0.0 };

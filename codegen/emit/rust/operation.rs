@@ -3,7 +3,6 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::super::names;
 use super::super::plan::Place;
 use super::{Rust, constant, ident};
 use crate::program::{Function, Op, Status, TableId, Value};
@@ -19,7 +18,7 @@ impl Rust<'_> {
 
     /// A value that is not a constant, by its name.
     pub fn variable(&self, value: Value) -> TokenStream {
-        let name = ident(&names::temporary(value));
+        let name = ident(&self.plan.names.temporary(value));
         match self.plan.place(value) {
             Place::Work => quote!(work.#name),
             Place::Flag(at) => {

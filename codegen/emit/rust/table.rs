@@ -3,7 +3,6 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::super::names;
 use super::super::plan::Place;
 use super::super::text::markdown;
 use super::item::{documentation, scalar};
@@ -47,11 +46,11 @@ impl Rust<'_> {
         }
         let fields = self.plan.crossing.iter().filter(|value| matches!(self.plan.place(**value), Place::Work));
         let declared = fields.clone().map(|value| {
-            let (name, r#type) = (ident(&names::temporary(*value)), self.type_of(*value));
+            let (name, r#type) = (ident(&self.plan.names.temporary(*value)), self.type_of(*value));
             quote!(#name: #r#type,)
         });
         let empty = fields.map(|value| {
-            let (name, nothing) = (ident(&names::temporary(*value)), self.nothing(*value));
+            let (name, nothing) = (ident(&self.plan.names.temporary(*value)), self.nothing(*value));
             quote!(#name: #nothing,)
         });
         let count = length(self.plan.flags.len());
