@@ -17,6 +17,7 @@ mod determinant;
 mod regressing;
 mod two_stages;
 
+use std::ops::Range;
 use std::sync::Arc;
 
 use super::window::{
@@ -31,8 +32,8 @@ use crate::parameters::identifiable;
 use crate::plant::Plant;
 use crate::spec::Quantity;
 use crate::spec::reader::Table;
-use crate::window::certificate::certify;
 use crate::window::model::signals;
+use crate::window::realize::{Form, LeastSquares, REALIZATION_CHOICES, Realized, Request, WORDS, Wanted, realize};
 use crate::window::settle::settle;
 use crate::window::solve::{Choice, Exact};
 use crate::window::{Functional, refuse_much_work, seconds, trimmed};
@@ -53,10 +54,13 @@ pub const METHOD: Method = Method {
             "number",
             "share of an unknown's effect that the state must not explain; 1e-3 in f32, 1e-6 in f64 (varying factors)",
         ),
-        ("realization", "\"auto\" | \"fir\"", "how the step computes it"),
+        ("realization", REALIZATION_CHOICES, "how the step computes it, where all factors are constant"),
     ],
     realizations: &[
-        ("fir", "one weighted sum over the stored samples; no state that can drift (constant factors)"),
+        (
+            "fir",
+            "one weighted sum over the stored samples; no state that can drift (constant factors; others as for `window`)",
+        ),
         ("regression", "responses and equations over the stored samples in every call (varying factors)"),
     ],
     page: include_str!("parameters.md"),
@@ -69,6 +73,7 @@ struct Keys {
     window: Quantity,
     paper: Option<Paper>,
     excitation: Option<Quantity>,
+    wanted: (Wanted, Range<usize>),
 }
 
 fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
@@ -94,8 +99,9 @@ fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
         let error = Diagnostic::error(codes::BAD_COMBINATION, table.key_span("excitation"), message);
         table.report(error.help("leave it out"));
     }
-    table.choice("realization", &[("auto", ()), ("fir", ())], ());
-    Some(Arc::new(Keys { window: window?, paper: paper.then_some(stages), excitation }))
+    let place = table.key_span("realization");
+    let wanted = (table.choice("realization", &WORDS, Wanted::Auto), place);
+    Some(Arc::new(Keys { window: window?, paper: paper.then_some(stages), excitation, wanted }))
 }
 
 /// A window that fits the plant.
@@ -119,15 +125,31 @@ impl Keyed for Keys {
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {
         if let Some(paper) = &self.paper {
-            return two_stages::design(plant, &self.window, paper);
+            return two_stages::design(plant, &self.window, paper, &self.wanted);
         }
         let frame = Frame::new(plant, &self.window)?;
         if !varying(plant).is_empty() {
+            self.refuse_realization()?;
             return regressing::design(plant, &frame, self.excitation.as_ref());
         }
         let settled = settle(plant, &signals(plant), &frame.delays, frame.steps, &Choice::LeastSquares)?;
         let constants = constants(&settled.1.model);
-        Ok(functional(plant, &frame, settled, summary(plant, frame.steps), constants))
+        let late = frame.delays.iter().any(|delay| *delay > 0);
+        let form: Result<&dyn Form, _> = if late { Err("an output arrives late") } else { Ok(&LeastSquares) };
+        functional(plant, &frame, settled, (form, &self.wanted), (summary(plant, frame.steps), constants))
+    }
+}
+
+impl Keys {
+    /// With varying factors there is one way to compute the step.
+    fn refuse_realization(&self) -> Result<(), Vec<Diagnostic>> {
+        let (wanted, place) = &self.wanted;
+        if *wanted == Wanted::Auto {
+            return Ok(());
+        }
+        let message = "unknowns with varying factors are found by a regression in the step";
+        let error = Diagnostic::error(codes::REALIZATION, place.clone(), message);
+        Err(vec![error.help("leave `realization` out")])
     }
 }
 
@@ -158,31 +180,33 @@ fn functional(
     plant: &Plant,
     frame: &Frame,
     (functional, exact, numerics): (Functional, Exact, Numerics),
-    summary: String,
-    constants: Vec<NamedMatrix>,
-) -> Design {
-    Design {
+    (form, (wanted, place)): (Result<&dyn Form, &'static str>, &(Wanted, Range<usize>)),
+    (summary, constants): (String, Vec<NamedMatrix>),
+) -> Result<Design, Vec<Diagnostic>> {
+    let request = Request { functional, exact: &exact, form, wanted: *wanted, span: place.clone() };
+    let Realized { functional, certificate, name, realizations, notes } = realize(plant, request)?;
+    Ok(Design {
         method: METHOD.name,
-        realization: "fir",
+        realization: name,
         summary,
         window_steps: frame.steps,
         valid_from_step: frame.steps,
         convergence: Convergence::Finite,
-        realizations: Vec::new(),
-        notes: Vec::new(),
+        realizations,
+        notes,
         constants,
         fir: Some(fir(plant, &functional)),
-        certificate: certify(plant, &functional, &exact),
+        certificate,
         numerics: Numerics { condition: frame.condition, ..numerics },
         warnings: time_warning(plant).into_iter().chain(resolution_warnings(plant)).collect(),
         shape: Shape::Window(Box::new(functional)),
-    }
+    })
 }
 
 fn summary(plant: &Plant, steps: usize) -> String {
     let h = plant.sample_time_s();
     format!(
-        "joint least squares for states and unknowns over the last {} samples ({} s at {h} s), stateless",
+        "joint least squares for states and unknowns over the last {} samples ({} s at {h} s)",
         steps + 1,
         trimmed(seconds(steps, h))
     )

@@ -15,8 +15,9 @@
  *              b0 = 40 A/(V s), 1 over inductance
  *              b1 = 15 rad/(A s^2), torque constant over inertia
  * Measured   q [rad], i [A]
- * Method     parameters: joint least squares for states and unknowns over the last 101 samples (0.2 s at 0.002 s), stateless
+ * Method     parameters: joint least squares for states and unknowns over the last 101 samples (0.2 s at 0.002 s)
  * Converged  from call 101 (0.2 s after the first), whatever the initial state
+ *            computed in blocks of 20 samples: 4 whole ones and two in part
  *
  *                                  q         dq        i        load     offset
  *   unit                           rad       rad/s     A        rad/s^2  V
@@ -26,9 +27,9 @@
  *   noise gain from i, white       1.311e-4  0.003723  0.1021   1.53     0.5106
  *   error bound from noise         2.181e-4  0.00536   0.01102  0.208    0.05214
  *
- * Cost       1520 multiplications, 1529 additions a call, the same for every call
- * Memory     state 1240 bytes, constants 6000 bytes
- *            at most: stack 1932 bytes, flash 13168 bytes without elementary functions
+ * Cost       511 multiplications, 520 additions a call, the same for every call
+ * Memory     state 1412 bytes, constants 16720 bytes
+ *            at most: stack 3920 bytes, flash 31940 bytes without elementary functions
  *
  * Contract:
  *  1. No heap, no recursion, no global or static mutable data, no file or console, no library.
@@ -83,16 +84,27 @@ typedef struct {
 
 /* The observer's whole state, owned by the caller; plain data, may be copied. */
 typedef struct {
-    float q[101];      /* samples of q by slot, rad */
-    float i[101];      /* samples of i by slot, A */
-    float u[101];      /* u by slot */
-    uint32_t newest;   /* slot of age 0 */
-    uint32_t count;    /* good samples in a row, then predicted ones too, at most 101 */
-    uint32_t missed_q; /* samples of q missing in a row, at most a window */
-    uint32_t missed_i; /* samples of i missing in a row, at most a window */
-    uint32_t coasting; /* calls until no replaced sample is in the window */
-    float ahead_q;     /* the next q, as far as it is known */
-    float ahead_i;     /* the next i, as far as it is known */
+    float q[101];         /* samples of q by slot, rad */
+    float i[101];         /* samples of i by slot, A */
+    float u[101];         /* u by slot */
+    uint32_t newest;      /* slot of age 0 */
+    uint32_t count;       /* good samples in a row, then predicted ones too, at most 101 */
+    uint32_t missed_q;    /* samples of q missing in a row, at most a window */
+    uint32_t missed_i;    /* samples of i missing in a row, at most a window */
+    uint32_t coasting;    /* calls until no replaced sample is in the window */
+    float ahead_q;        /* the next q, as far as it is known */
+    float ahead_i;        /* the next i, as far as it is known */
+    float statistic[5];   /* component 0 of the blocks' statistics, by block */
+    float statistic_2[5]; /* component 1 of the blocks' statistics, by block */
+    float statistic_3[5]; /* component 2 of the blocks' statistics, by block */
+    float statistic_4[5]; /* component 3 of the blocks' statistics, by block */
+    float statistic_5[5]; /* component 4 of the blocks' statistics, by block */
+    float copy_q[5];      /* q as a block's copy hands it on, by block */
+    float copy_dq[5];     /* dq as a block's copy hands it on, by block */
+    float copy_i[5];      /* i as a block's copy hands it on, by block */
+    uint32_t block;       /* block of the newest sample */
+    uint32_t place;       /* place of the newest sample in its block */
+    uint32_t row;         /* row of the newest whole block at the next call */
 } unknown_force_state;
 
 /* Back to the state before the first sample. */

@@ -16,7 +16,7 @@
 //!              width = 0.4 m, of the Gaussians
 //!              omega = 3 rad/s, of the sine
 //! Measured   x [m]
-//! Method     parameters: joint least squares for states and unknowns over the last 101 samples (1 s at 0.01 s), stateless
+//! Method     parameters: joint least squares for states and unknowns over the last 101 samples (1 s at 0.01 s)
 //! Converged  from call 101 (1 s after the first), whatever the initial state
 //!            `left`, `middle`, `right` and `shake`: exact while the last window excites them, that is, while more than 1e-6 of what
 //!            each shows is its own; else they keep their last values, and the status is `Converging`

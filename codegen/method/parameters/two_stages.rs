@@ -21,6 +21,7 @@ use crate::plant::Plant;
 use crate::real::{Precision, Real, inverse};
 use crate::spec::Quantity;
 use crate::window::model::{Model, signals};
+use crate::window::realize::Wanted;
 use crate::window::settle::settle;
 use crate::window::solve::Choice;
 use crate::window::{count, refuse_much_work, seconds, trimmed, whole_samples};
@@ -35,7 +36,12 @@ pub(super) struct Paper {
 const JOINT: &str = "leave `form` out: the joint form takes this";
 
 /// Designs the two stages.
-pub(super) fn design(plant: &Plant, window: &Quantity, paper: &Paper) -> Result<Design, Vec<Diagnostic>> {
+pub(super) fn design(
+    plant: &Plant,
+    window: &Quantity,
+    paper: &Paper,
+    wanted: &(Wanted, Range<usize>),
+) -> Result<Design, Vec<Diagnostic>> {
     refuse_sizes(plant)?;
     let (stages, shifts) = lengths(plant, window, paper)?;
     refuse_factors(plant, &stages, &shifts)?;
@@ -57,7 +63,8 @@ pub(super) fn design(plant: &Plant, window: &Quantity, paper: &Paper) -> Result<
     let settled = settle(plant, &signals(plant), &delays, total, &Choice::Stages(stages))?;
     let letters = letters(plant, &stages, &model);
     let frame = Frame { steps: total, delays, condition };
-    Ok(functional(plant, &frame, settled, summary(plant, &stages), letters))
+    let form = Err("the paper's two stages follow no recursion");
+    functional(plant, &frame, settled, (form, wanted), (summary(plant, &stages), letters))
 }
 
 fn cannot(plant: &Plant, message: &str, span: Option<Range<usize>>) -> Vec<Diagnostic> {
