@@ -3,10 +3,10 @@
 //! **Idea.** `x' = A x + ... + sum_i eps_i gamma_i` with unknown constants `eps_i`. The samples of a window are
 //! linear equations in the state at its start and in the `eps_i`; solved together by least squares they
 //! give both, exactly, after N+1 samples (`form = "joint"`). Constant gammas give a functional with constant
-//! weights; with gammas that vary the equations are set up and solved in every call ([`regressing`]).
+//! weights; with gammas that vary the equations are set up and solved in every call (`parameters/regressing.rs`).
 //!
 //! **Source.** 002 (mazenc-malisoff-2022-parameters-and-states), Theorems 1, 2 and 3, which find the `eps_i`
-//! in a second stage from the state's first (`form = "paper"`, [`two_stages`]). The joint form is one stage
+//! in a second stage from the state's first (`form = "paper"`, `parameters/two_stages.rs`). The joint form is one stage
 //! (window-observers, section 2: one Gramian of the plant and its exosystem contains everything, kappa is
 //! minus its off-diagonal block), needs no Assumption 2, and takes any number of outputs and unknowns.
 //!

@@ -2,7 +2,7 @@
 //!
 //! Every realisation computes the same weights; they differ in memory, operations, round-off, and in which
 //! plants they may run for (window-observers, section 3). [`realize`] designs what is asked for, or what
-//! [`decide`](super::decide) finds best, and lists all of them with this plant's numbers.
+//! [`decide`] finds best, and lists all of them with this plant's numbers.
 
 pub mod ages;
 pub mod basis;
@@ -52,7 +52,7 @@ pub enum Way {
 /// What the user asks for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Wanted {
-    /// What [`decide`](super::decide) finds best.
+    /// What [`decide`] finds best.
     #[default]
     Auto,
     /// One sum over the stored samples.
