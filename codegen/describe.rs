@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use crate::design::Convergence;
+use crate::design::{Convergence, Shape};
 use crate::diagnostic::Source;
 use crate::emit::Header;
 use crate::output::Language;
@@ -147,6 +147,12 @@ fn converged(generated: &Generated) -> String {
     let time = format!("{:.9}", crate::window::seconds(step, generated.plant.sample_time_s()));
     let time = time.trim_end_matches('0').trim_end_matches('.');
     match generated.design.convergence {
+        Convergence::Finite if matches!(generated.design.shape, Shape::Regression(_)) => {
+            format!(
+                "Converged  from call {} ({time} s after the first), as far as the signals excite the unknowns",
+                step + 1
+            )
+        }
         Convergence::Finite => {
             format!("Converged  from call {} ({time} s after the first), whatever the initial state", step + 1)
         }

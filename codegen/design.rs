@@ -189,7 +189,7 @@ impl Design {
         };
         let how = match self.shape.between() {
             Between::Lines | Between::Steps => "straight lines between samples, second order",
-            Between::Cubics => "cubics between samples, fourth order",
+            Between::Cubics => "cubics between samples, where no input jumps and no sample is missing fourth order",
         };
         Some(format!("{what} are {how} in the sample time"))
     }
@@ -197,6 +197,9 @@ impl Design {
     /// Why there is no error bound although the noise is declared; for the certificate.
     pub fn unbounded(&self) -> &'static str {
         match &self.shape {
+            Shape::Window(functional) if functional.irregular.is_some() => {
+                "no error bound: it depends on when samples come; the gains are of regular gaps"
+            }
             Shape::Window(functional) if functional.gaps.is_some() => {
                 "no error bound: what enters between measurements is carried on"
             }

@@ -64,9 +64,9 @@ pub enum Type {
 /// What a step says of its estimate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Status {
-    /// Not yet converged: the estimate is the start.
+    /// Not yet converged: the estimate is the start, or what was last known.
     Converging = 0,
-    /// The estimate is within its bound.
+    /// Converged: the estimate is what the file's header promises.
     Converged = 1,
     /// A missing sample in the window was replaced by the model's prediction.
     Coasting = 2,

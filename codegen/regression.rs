@@ -61,6 +61,8 @@ pub struct Regression {
     pub end: Vec<Vec<Vec<Entry>>>,
     /// The smallest share of a regressor's energy that the state cannot explain.
     pub threshold: f64,
+    /// Per unknown: 25 times the energy that noise of the declared size gives its regressor.
+    pub floors: Vec<f64>,
 }
 
 /// What drives a response over one sample interval.

@@ -185,7 +185,9 @@ fn notes(theorem: &Theorem2) -> [String; 2] {
     let [f1, f2] = theorem.lipschitz.map(short);
     let (beta, gamma, condition) = (short(theorem.beta), short(theorem.gamma), short(theorem.condition));
     let longest = short(theorem.longest_s);
-    let first = format!("Theorem 2: Lipschitz constants {f1} and {f2}, beta = {beta} 1/s, gamma(mu) = {gamma} 1/s");
+    let first = format!(
+        "Theorem 2 (in continuous time): Lipschitz constants {f1} and {f2}, beta = {beta} 1/s, gamma(mu) = {gamma} 1/s"
+    );
     let second = match theorem.rate {
         Some(rate) => {
             format!(

@@ -54,7 +54,7 @@ pub const METHOD: Method = Method {
     source: "Mazenc and Malisoff 2022 (single delay), Theorems 1 and 2, corrected and made exact for samples",
     keys: &[
         ("window", "s", "tau, a whole number of samples; the estimate has converged after it"),
-        ("k", "1/s or \"auto\"", "shapes the weights; any real number; \"auto\" (default): the smallest noise gain"),
+        ("k", "1/s or \"auto\"", "shapes the weights; any real number; \"auto\" (default): a small noise gain"),
         ("form", "\"exact\" | \"continuous\"", "the sampled twin (default), or the paper's integrals from samples"),
         ("hold", "\"first\" | \"third\"", "how nonlinear terms run between samples: order 2 (default) or 4"),
         ("intermittent", "{ min = s, max = s }", "measurements come at irregular times, so far apart"),

@@ -5,8 +5,12 @@
 //! the bound itself, and a response.
 
 use crate::diagnostic::{Diagnostic, codes};
+use crate::expr::Symbol;
+use crate::expr::bounds::derivative;
 use crate::plant::Plant;
+use crate::window::certificate::slope;
 use crate::window::lower::guard::Growth;
+use crate::window::{Signal, Source};
 
 use super::{Drive, Entry, Regression};
 
@@ -79,6 +83,57 @@ pub fn growth(regression: &Regression) -> Growth {
         growth.square = growth.square.max(sum(|s| s.1) + believed);
     }
     growth
+}
+
+/// Per unknown, 25 times the energy that noise of the declared size, independent from sample to sample, gives its
+/// regressor: what excites must be five times as large as noise in the factor's own outputs. 0 where none is declared,
+/// or the factor is not linear in them: a bound on its slope may be far above what it ever is.
+pub fn noise_floors(plant: &Plant, regression: &Regression) -> Vec<f64> {
+    let (phi, shown) = (doubles(&regression.phi), doubles(&regression.shown));
+    let signals = &regression.carrier.signals;
+    let level = |signal: &Signal| -> Option<f64> {
+        let Source::Injection(k) = signal.source else { return Some(0.0) };
+        let poly = &plant.injections[k].node.poly;
+        let of_states = poly.symbols().into_iter().filter(|symbol| matches!(symbol, Symbol::State(_)));
+        let linear = of_states.into_iter().all(|s| derivative(poly, s).is_some_and(|slope| slope.symbols().is_empty()));
+        if !linear {
+            return None;
+        }
+        let of = |(o, output): (usize, &crate::plant::Output)| -> Option<f64> {
+            let slope = slope(plant, k, o)?;
+            if slope == 0.0 { Some(0.0) } else { Some(slope * output.noise.as_ref()?.to_f64().ok()?) }
+        };
+        plant.outputs.iter().enumerate().map(of).sum()
+    };
+    let levels: Vec<Option<f64>> = signals.iter().map(level).collect();
+    let rows = crate::window::count(regression.rows.len() * regression.trust.len());
+    let floor = |drive: &Drive| -> f64 {
+        let noisy: Option<Vec<Vec<f64>>> = drive
+            .begin
+            .iter()
+            .zip(&levels)
+            .chain(drive.end.iter().zip(&levels))
+            .filter(|(column, _)| column.iter().any(Option::is_some))
+            .map(|(column, level)| level.map(|level| row(column).iter().map(|x| x * level).collect()))
+            .collect();
+        noisy.map_or(0.0, |noisy| 25.0 * rows * energy(&phi, noisy, &shown, regression.carrier.steps))
+    };
+    regression.gammas.iter().map(floor).map(|floor| if floor.is_finite() { floor } else { 0.0 }).collect()
+}
+
+/// The sum of squares of what impulses show over a window, of the output that shows most.
+fn energy(phi: &[Vec<f64>], mut impulses: Vec<Vec<f64>>, shown: &[Vec<f64>], steps: usize) -> f64 {
+    let mut sums = vec![0.0_f64; shown.len()];
+    for _ in 0..steps {
+        for impulse in &mut impulses {
+            for (sum, row) in sums.iter_mut().zip(shown) {
+                let seen: f64 = row.iter().zip(&*impulse).map(|(c, x)| c * x).sum();
+                *sum += seen * seen;
+            }
+            *impulse = phi.iter().map(|row| row.iter().zip(&*impulse).map(|(a, x)| a * x).sum()).collect();
+        }
+    }
+    sums.into_iter().fold(0.0, f64::max)
 }
 
 /// The most that responses from zero can come to while one sample interval is computed, for values of

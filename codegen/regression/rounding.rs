@@ -71,6 +71,7 @@ impl Problem<'_> {
             held,
             end,
             threshold: self.threshold,
+            floors: vec![0.0; shifts.len()],
         }
     }
 

@@ -55,8 +55,8 @@ extern "C" {
 #define DC_MOTOR_SAMPLE_TIME 0.001f
 
 typedef enum {
-    DC_MOTOR_CONVERGING = 0, /* not yet converged: the estimate is the start */
-    DC_MOTOR_CONVERGED = 1,  /* the estimate is within its bound */
+    DC_MOTOR_CONVERGING = 0, /* not yet: the estimate is the start, or what was last known */
+    DC_MOTOR_CONVERGED = 1,  /* the estimate is what the header promises */
     DC_MOTOR_COASTING = 2    /* a missing sample was replaced by the model's prediction */
 } dc_motor_status;
 

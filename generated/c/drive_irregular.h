@@ -16,19 +16,19 @@
  * Measured   y = q [rad]
  * Method     single-delay: least squares over the samples that are there of the last 101 (0.1 s at 0.001 s)
  * Converged  from call 101 (0.1 s after the first), whatever the initial state
- *            gains with a measurement every 10 samples; round-off then 2.443e-5 of the samples
- *            a linear plant needs no condition on gaps: 000 Theorem 2 is not used (give `k` to use it)
+ *            gains with a measurement every 10 samples, other patterns may cost more; round-off then 2.443e-5 of the samples
+ *            a linear plant needs no condition on gaps: Theorem 2 is not used (give `k` to use it)
  *
- *                                            q         dq        i
- *   unit                                     rad       rad/s     A
- *   noise gain from y, worst case            1.795     31.47     5.837
- *   noise gain from y, white                 0.694     11.71     2.172
- *   gain from w, worst case                  8.149e-4  0.04505   0.007418
- *   error bound from noise and disturbances  2.609e-4  0.007652  0.001325
+ *                                  q         dq       i
+ *   unit                           rad       rad/s    A
+ *   noise gain from y, worst case  1.795     31.47    5.837
+ *   noise gain from y, white       0.694     11.71    2.172
+ *   gain from w, worst case        8.149e-4  0.04505  0.007418
+ *   no error bound: it depends on when samples come; the gains are of regular gaps
  *
  * Cost       2138 multiplications, 1734 additions, 6 divisions a call, the same for every call
- * Memory     state 1240 bytes, constants 1200 bytes
- *            at most: stack 2140 bytes, flash 9064 bytes without elementary functions
+ * Memory     state 1244 bytes, constants 1200 bytes
+ *            at most: stack 2204 bytes, flash 9340 bytes without elementary functions
  *
  * Contract:
  *  1. No heap, no recursion, no global or static mutable data, no file or console, no library.
@@ -55,8 +55,8 @@ extern "C" {
 #define DRIVE_IRREGULAR_SAMPLE_TIME 0.001f
 
 typedef enum {
-    DRIVE_IRREGULAR_CONVERGING = 0, /* not yet converged: the estimate is the start */
-    DRIVE_IRREGULAR_CONVERGED = 1,  /* the estimate is within its bound */
+    DRIVE_IRREGULAR_CONVERGING = 0, /* not yet: the estimate is the start, or what was last known */
+    DRIVE_IRREGULAR_CONVERGED = 1,  /* the estimate is what the header promises */
     DRIVE_IRREGULAR_COASTING = 2    /* a missing sample was replaced by the model's prediction */
 } drive_irregular_status;
 
@@ -84,6 +84,7 @@ typedef struct {
     float u[101];      /* u by slot */
     uint32_t newest;   /* slot of age 0 */
     uint32_t count;    /* good samples in a row, then predicted ones too, at most 101 */
+    uint32_t since_y;  /* calls since the newest sample of y */
     uint32_t coasting; /* calls until no replaced sample is in the window */
     float has_y[101];  /* 1 where there is a sample of y, by slot */
     float next_q;      /* q as the model predicts it, as far as known */

@@ -50,8 +50,8 @@ extern "C" {
 #define INVERTED_CART_SAMPLE_TIME 0.005
 
 typedef enum {
-    INVERTED_CART_CONVERGING = 0, /* not yet converged: the estimate is the start */
-    INVERTED_CART_CONVERGED = 1,  /* the estimate is within its bound */
+    INVERTED_CART_CONVERGING = 0, /* not yet: the estimate is the start, or what was last known */
+    INVERTED_CART_CONVERGED = 1,  /* the estimate is what the header promises */
     INVERTED_CART_COASTING = 2    /* a missing sample was replaced by the model's prediction */
 } inverted_cart_status;
 

@@ -50,8 +50,8 @@ extern "C" {
 #define LATE_POSITION_SAMPLE_TIME 0.01f
 
 typedef enum {
-    LATE_POSITION_CONVERGING = 0, /* not yet converged: the estimate is the start */
-    LATE_POSITION_CONVERGED = 1,  /* the estimate is within its bound */
+    LATE_POSITION_CONVERGING = 0, /* not yet: the estimate is the start, or what was last known */
+    LATE_POSITION_CONVERGED = 1,  /* the estimate is what the header promises */
     LATE_POSITION_COASTING = 2    /* a missing sample was replaced by the model's prediction */
 } late_position_status;
 

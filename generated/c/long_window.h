@@ -50,8 +50,8 @@ extern "C" {
 #define LONG_WINDOW_SAMPLE_TIME 0.002f
 
 typedef enum {
-    LONG_WINDOW_CONVERGING = 0, /* not yet converged: the estimate is the start */
-    LONG_WINDOW_CONVERGED = 1,  /* the estimate is within its bound */
+    LONG_WINDOW_CONVERGING = 0, /* not yet: the estimate is the start, or what was last known */
+    LONG_WINDOW_CONVERGED = 1,  /* the estimate is what the header promises */
     LONG_WINDOW_COASTING = 2    /* a missing sample was replaced by the model's prediction */
 } long_window_status;
 

@@ -49,8 +49,8 @@ extern "C" {
 #define MAGNETIC_LEVITATION_SAMPLE_TIME 0.0001f
 
 typedef enum {
-    MAGNETIC_LEVITATION_CONVERGING = 0, /* not yet converged: the estimate is the start */
-    MAGNETIC_LEVITATION_CONVERGED = 1,  /* the estimate is within its bound */
+    MAGNETIC_LEVITATION_CONVERGING = 0, /* not yet: the estimate is the start, or what was last known */
+    MAGNETIC_LEVITATION_CONVERGED = 1,  /* the estimate is what the header promises */
     MAGNETIC_LEVITATION_COASTING = 2    /* a missing sample was replaced by the model's prediction */
 } magnetic_levitation_status;
 

@@ -48,8 +48,8 @@ extern "C" {
 #define MASS_CHAIN_SAMPLE_TIME 0.01
 
 typedef enum {
-    MASS_CHAIN_CONVERGING = 0, /* not yet converged: the estimate is the start */
-    MASS_CHAIN_CONVERGED = 1,  /* the estimate is within its bound */
+    MASS_CHAIN_CONVERGING = 0, /* not yet: the estimate is the start, or what was last known */
+    MASS_CHAIN_CONVERGED = 1,  /* the estimate is what the header promises */
     MASS_CHAIN_COASTING = 2    /* a missing sample was replaced by the model's prediction */
 } mass_chain_status;
 

@@ -25,7 +25,7 @@
  *   noise gain from y, white                 1         103.3     19.16
  *   gain from w, worst case                  0         0.008951  7.242e-4
  *   error bound from noise and disturbances  1.000e-4  0.02105   0.003805
- *   on top: nonlinear terms are cubics between samples, fourth order in the sample time
+ *   on top: nonlinear terms are cubics between samples, where no input jumps and no sample is missing fourth order in the sample time
  *
  * Cost       710 multiplications, 715 additions, 1 sin a call, the same for every call
  * Memory     state 2448 bytes, constants 5600 bytes
@@ -56,8 +56,8 @@ extern "C" {
 #define MOTOR_CONTINUOUS_SAMPLE_TIME 0.001
 
 typedef enum {
-    MOTOR_CONTINUOUS_CONVERGING = 0, /* not yet converged: the estimate is the start */
-    MOTOR_CONTINUOUS_CONVERGED = 1,  /* the estimate is within its bound */
+    MOTOR_CONTINUOUS_CONVERGING = 0, /* not yet: the estimate is the start, or what was last known */
+    MOTOR_CONTINUOUS_CONVERGED = 1,  /* the estimate is what the header promises */
     MOTOR_CONTINUOUS_COASTING = 2    /* a missing sample was replaced by the model's prediction */
 } motor_continuous_status;
 

@@ -18,7 +18,7 @@
  * Method     single-delay: sampled twin over the last 101 samples (0.1 s at 0.001 s), k = 20 1/s
  * Converged  from call 429 (0.428 s after the first) to 1e-6 of the initial error; by 0.6525 every 8 calls
  *            linear part: with a measurement every 8 samples the error's spectral radius is 0.6525 a period
- *            000 Theorem 2 does not hold: T mu = 1.268e21, mu = 1.585e23 1/s
+ *            Theorem 2 (of the continuous observer) does not hold: T mu = 1.268e21, mu = 1.585e23 1/s
  *
  *                                  q      dq     i
  *   unit                           rad    rad/s  A
@@ -57,8 +57,8 @@ extern "C" {
 #define MOTOR_INTERMITTENT_SAMPLE_TIME 0.001f
 
 typedef enum {
-    MOTOR_INTERMITTENT_CONVERGING = 0, /* not yet converged: the estimate is the start */
-    MOTOR_INTERMITTENT_CONVERGED = 1,  /* the estimate is within its bound */
+    MOTOR_INTERMITTENT_CONVERGING = 0, /* not yet: the estimate is the start, or what was last known */
+    MOTOR_INTERMITTENT_CONVERGED = 1,  /* the estimate is what the header promises */
     MOTOR_INTERMITTENT_COASTING = 2    /* a missing sample was replaced by the model's prediction */
 } motor_intermittent_status;
 

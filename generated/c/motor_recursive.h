@@ -56,8 +56,8 @@ extern "C" {
 #define MOTOR_RECURSIVE_SAMPLE_TIME 0.001f
 
 typedef enum {
-    MOTOR_RECURSIVE_CONVERGING = 0, /* not yet converged: the estimate is the start */
-    MOTOR_RECURSIVE_CONVERGED = 1,  /* the estimate is within its bound */
+    MOTOR_RECURSIVE_CONVERGING = 0, /* not yet: the estimate is the start, or what was last known */
+    MOTOR_RECURSIVE_CONVERGED = 1,  /* the estimate is what the header promises */
     MOTOR_RECURSIVE_COASTING = 2    /* a missing sample was replaced by the model's prediction */
 } motor_recursive_status;
 

@@ -55,8 +55,8 @@ extern "C" {
 #define MOTOR_SINGLE_DELAY_SAMPLE_TIME 0.001f
 
 typedef enum {
-    MOTOR_SINGLE_DELAY_CONVERGING = 0, /* not yet converged: the estimate is the start */
-    MOTOR_SINGLE_DELAY_CONVERGED = 1,  /* the estimate is within its bound */
+    MOTOR_SINGLE_DELAY_CONVERGING = 0, /* not yet: the estimate is the start, or what was last known */
+    MOTOR_SINGLE_DELAY_CONVERGED = 1,  /* the estimate is what the header promises */
     MOTOR_SINGLE_DELAY_COASTING = 2    /* a missing sample was replaced by the model's prediction */
 } motor_single_delay_status;
 

@@ -49,8 +49,8 @@ extern "C" {
 #define PENDULUM_SAMPLE_TIME 0.001f
 
 typedef enum {
-    PENDULUM_CONVERGING = 0, /* not yet converged: the estimate is the start */
-    PENDULUM_CONVERGED = 1,  /* the estimate is within its bound */
+    PENDULUM_CONVERGING = 0, /* not yet: the estimate is the start, or what was last known */
+    PENDULUM_CONVERGED = 1,  /* the estimate is what the header promises */
     PENDULUM_COASTING = 2    /* a missing sample was replaced by the model's prediction */
 } pendulum_status;
 

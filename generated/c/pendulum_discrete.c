@@ -397,8 +397,8 @@ typedef struct {
     double t72;
     double t80;
     double t81;
-    double t113;
-    pendulum_discrete_status t118;
+    double t112;
+    pendulum_discrete_status t117;
     int flags[6]; /* t3, t6, t48, t50, t70, t83 */
 } pendulum_discrete_work;
 
@@ -500,36 +500,36 @@ static void pendulum_discrete_part_2(pendulum_discrete_state *state, pendulum_di
     const uint32_t t93 = t84 ? 0U : t92;
     state->count = t93;
     const uint32_t t94 = state->clean;
-    const uint32_t t95 = (t94 < 41U) ? (t94 + 1U) : 41U;
+    const uint32_t t95 = (t94 < 161U) ? (t94 + 1U) : 161U;
     const uint32_t t96 = work->flags[3] ? t95 : 0U;
     state->clean = t96;
-    const int t98 = 40U < t96;
-    const int t99 = work->flags[4] && t98;
-    const uint32_t t100 = state->coasting;
-    const uint32_t t101 = t99 ? 0U : t100;
-    const uint32_t t102 = work->flags[3] ? t101 : 1U;
-    state->coasting = t102;
-    const int t103 = t102 == 0U;
-    const int t105 = t93 < 2U;
-    const int t106 = 160U < t93;
+    const int t97 = 160U < t96;
+    const int t98 = work->flags[4] && t97;
+    const uint32_t t99 = state->coasting;
+    const uint32_t t100 = t98 ? 0U : t99;
+    const uint32_t t101 = work->flags[3] ? t100 : 1U;
+    state->coasting = t101;
+    const int t102 = t101 == 0U;
+    const int t104 = t93 < 2U;
+    const int t105 = 160U < t93;
 
     /* for the next call */
-    const double t108 = t105 ? 0.0 : work->t80;
-    const double t109 = 0.0 + work->t72;
-    const double t110 = t105 ? t109 : work->t81;
-    state->z1_x2 = t108;
-    state->z2_x2 = t110;
-    const uint32_t t111 = t105 ? 0U : work->t69;
-    state->phase = t111;
+    const double t107 = t104 ? 0.0 : work->t80;
+    const double t108 = 0.0 + work->t72;
+    const double t109 = t104 ? t108 : work->t81;
+    state->z1_x2 = t107;
+    state->z2_x2 = t109;
+    const uint32_t t110 = t104 ? 0U : work->t69;
+    state->phase = t110;
     state->x1_1 = work->t49;
     state->sin_x1_1 = work->t34;
-    const uint32_t t112 = (work->t0 < 1U) ? (work->t0 + 1U) : 0U;
-    state->turn = t112;
+    const uint32_t t111 = (work->t0 < 1U) ? (work->t0 + 1U) : 0U;
+    state->turn = t111;
 
     /* the estimate; until it has converged, the start */
-    work->t113 = t106 ? t108 : 0.0;
-    const pendulum_discrete_status t117 = t103 ? PENDULUM_DISCRETE_CONVERGED : PENDULUM_DISCRETE_COASTING;
-    work->t118 = t106 ? t117 : PENDULUM_DISCRETE_CONVERGING;
+    work->t112 = t105 ? t107 : 0.0;
+    const pendulum_discrete_status t116 = t102 ? PENDULUM_DISCRETE_CONVERGED : PENDULUM_DISCRETE_COASTING;
+    work->t117 = t105 ? t116 : PENDULUM_DISCRETE_CONVERGING;
 }
 
 void pendulum_discrete_init(pendulum_discrete_state *state)
@@ -553,6 +553,6 @@ void pendulum_discrete_step(pendulum_discrete_state *state, const pendulum_discr
     pendulum_discrete_part_2(state, &work);
 
     estimate->x1 = work.t49;
-    estimate->x2 = work.t113;
-    estimate->status = work.t118;
+    estimate->x2 = work.t112;
+    estimate->status = work.t117;
 }

@@ -50,8 +50,8 @@ extern "C" {
 #define PENDULUM_IMPULSIVE_SAMPLE_TIME 0.001f
 
 typedef enum {
-    PENDULUM_IMPULSIVE_CONVERGING = 0, /* not yet converged: the estimate is the start */
-    PENDULUM_IMPULSIVE_CONVERGED = 1,  /* the estimate is within its bound */
+    PENDULUM_IMPULSIVE_CONVERGING = 0, /* not yet: the estimate is the start, or what was last known */
+    PENDULUM_IMPULSIVE_CONVERGED = 1,  /* the estimate is what the header promises */
     PENDULUM_IMPULSIVE_COASTING = 2    /* a missing sample was replaced by the model's prediction */
 } pendulum_impulsive_status;
 

@@ -49,8 +49,8 @@ extern "C" {
 #define PENDULUM_SINGLE_DELAY_SAMPLE_TIME 0.001f
 
 typedef enum {
-    PENDULUM_SINGLE_DELAY_CONVERGING = 0, /* not yet converged: the estimate is the start */
-    PENDULUM_SINGLE_DELAY_CONVERGED = 1,  /* the estimate is within its bound */
+    PENDULUM_SINGLE_DELAY_CONVERGING = 0, /* not yet: the estimate is the start, or what was last known */
+    PENDULUM_SINGLE_DELAY_CONVERGED = 1,  /* the estimate is what the header promises */
     PENDULUM_SINGLE_DELAY_COASTING = 2    /* a missing sample was replaced by the model's prediction */
 } pendulum_single_delay_status;
 

@@ -47,8 +47,8 @@ extern "C" {
 #define SMALL_MEMORY_SAMPLE_TIME 0.001f
 
 typedef enum {
-    SMALL_MEMORY_CONVERGING = 0, /* not yet converged: the estimate is the start */
-    SMALL_MEMORY_CONVERGED = 1,  /* the estimate is within its bound */
+    SMALL_MEMORY_CONVERGING = 0, /* not yet: the estimate is the start, or what was last known */
+    SMALL_MEMORY_CONVERGED = 1,  /* the estimate is what the header promises */
     SMALL_MEMORY_COASTING = 2    /* a missing sample was replaced by the model's prediction */
 } small_memory_status;
 

@@ -46,8 +46,8 @@ extern "C" {
 #define THERMAL_STACK_SAMPLE_TIME 0.5
 
 typedef enum {
-    THERMAL_STACK_CONVERGING = 0, /* not yet converged: the estimate is the start */
-    THERMAL_STACK_CONVERGED = 1,  /* the estimate is within its bound */
+    THERMAL_STACK_CONVERGING = 0, /* not yet: the estimate is the start, or what was last known */
+    THERMAL_STACK_CONVERGED = 1,  /* the estimate is what the header promises */
     THERMAL_STACK_COASTING = 2    /* a missing sample was replaced by the model's prediction */
 } thermal_stack_status;
 

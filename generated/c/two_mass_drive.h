@@ -55,8 +55,8 @@ extern "C" {
 #define TWO_MASS_DRIVE_SAMPLE_TIME 0.0005
 
 typedef enum {
-    TWO_MASS_DRIVE_CONVERGING = 0, /* not yet converged: the estimate is the start */
-    TWO_MASS_DRIVE_CONVERGED = 1,  /* the estimate is within its bound */
+    TWO_MASS_DRIVE_CONVERGING = 0, /* not yet: the estimate is the start, or what was last known */
+    TWO_MASS_DRIVE_CONVERGED = 1,  /* the estimate is what the header promises */
     TWO_MASS_DRIVE_COASTING = 2    /* a missing sample was replaced by the model's prediction */
 } two_mass_drive_status;
 

@@ -47,8 +47,8 @@ extern "C" {
 #define UNKNOWN_DISCRETE_SAMPLE_TIME 1.0f
 
 typedef enum {
-    UNKNOWN_DISCRETE_CONVERGING = 0, /* not yet converged: the estimate is the start */
-    UNKNOWN_DISCRETE_CONVERGED = 1,  /* the estimate is within its bound */
+    UNKNOWN_DISCRETE_CONVERGING = 0, /* not yet: the estimate is the start, or what was last known */
+    UNKNOWN_DISCRETE_CONVERGED = 1,  /* the estimate is what the header promises */
     UNKNOWN_DISCRETE_COASTING = 2    /* a missing sample was replaced by the model's prediction */
 } unknown_discrete_status;
 

@@ -56,8 +56,8 @@ extern "C" {
 #define UNKNOWN_FORCE_SAMPLE_TIME 0.002f
 
 typedef enum {
-    UNKNOWN_FORCE_CONVERGING = 0, /* not yet converged: the estimate is the start */
-    UNKNOWN_FORCE_CONVERGED = 1,  /* the estimate is within its bound */
+    UNKNOWN_FORCE_CONVERGING = 0, /* not yet: the estimate is the start, or what was last known */
+    UNKNOWN_FORCE_CONVERGED = 1,  /* the estimate is what the header promises */
     UNKNOWN_FORCE_COASTING = 2    /* a missing sample was replaced by the model's prediction */
 } unknown_force_status;
 

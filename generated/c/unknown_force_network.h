@@ -16,7 +16,7 @@
  *              omega = 3 rad/s, of the sine
  * Measured   x [m]
  * Method     parameters: joint least squares for states and unknowns over the last 101 samples (1 s at 0.01 s)
- * Converged  from call 101 (1 s after the first), whatever the initial state
+ * Converged  from call 101 (1 s after the first), as far as the signals excite the unknowns
  *            `left`, `middle`, `right` and `shake`: exact while the last window excites them, that is, while more than 1e-6 of what
  *            each shows is its own; else they keep their last values, and the status is `Converging`
  *            factors of outputs are straight lines between samples: second order in the sample time
@@ -26,7 +26,7 @@
  *
  * Cost       11501 multiplications, 9683 additions, 10 divisions, 1 sin, 1 cos, 3 exp a call, the same for every call
  * Memory     state 5720 bytes, constants 1600 bytes
- *            at most: stack 10072 bytes, flash 22000 bytes without elementary functions
+ *            at most: stack 10136 bytes, flash 22272 bytes without elementary functions
  *
  * Contract:
  *  1. No heap, no recursion, no global or static mutable data, no file or console, no library.
@@ -53,8 +53,8 @@ extern "C" {
 #define UNKNOWN_FORCE_NETWORK_SAMPLE_TIME 0.01
 
 typedef enum {
-    UNKNOWN_FORCE_NETWORK_CONVERGING = 0, /* not yet converged: the estimate is the start */
-    UNKNOWN_FORCE_NETWORK_CONVERGED = 1,  /* the estimate is within its bound */
+    UNKNOWN_FORCE_NETWORK_CONVERGING = 0, /* not yet: the estimate is the start, or what was last known */
+    UNKNOWN_FORCE_NETWORK_CONVERGED = 1,  /* the estimate is what the header promises */
     UNKNOWN_FORCE_NETWORK_COASTING = 2    /* a missing sample was replaced by the model's prediction */
 } unknown_force_network_status;
 

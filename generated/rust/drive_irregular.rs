@@ -17,19 +17,19 @@
 //! Measured   y = q [rad]
 //! Method     single-delay: least squares over the samples that are there of the last 101 (0.1 s at 0.001 s)
 //! Converged  from call 101 (0.1 s after the first), whatever the initial state
-//!            gains with a measurement every 10 samples; round-off then 2.443e-5 of the samples
-//!            a linear plant needs no condition on gaps: 000 Theorem 2 is not used (give `k` to use it)
+//!            gains with a measurement every 10 samples, other patterns may cost more; round-off then 2.443e-5 of the samples
+//!            a linear plant needs no condition on gaps: Theorem 2 is not used (give `k` to use it)
 //!
-//!                                            q         dq        i
-//!   unit                                     rad       rad/s     A
-//!   noise gain from y, worst case            1.795     31.47     5.837
-//!   noise gain from y, white                 0.694     11.71     2.172
-//!   gain from w, worst case                  8.149e-4  0.04505   0.007418
-//!   error bound from noise and disturbances  2.609e-4  0.007652  0.001325
+//!                                  q         dq       i
+//!   unit                           rad       rad/s    A
+//!   noise gain from y, worst case  1.795     31.47    5.837
+//!   noise gain from y, white       0.694     11.71    2.172
+//!   gain from w, worst case        8.149e-4  0.04505  0.007418
+//!   no error bound: it depends on when samples come; the gains are of regular gaps
 //!
 //! Cost       2138 multiplications, 1734 additions, 6 divisions a call, the same for every call
-//! Memory     state 1240 bytes, constants 1200 bytes
-//!            at most: stack 2140 bytes, flash 9064 bytes without elementary functions
+//! Memory     state 1244 bytes, constants 1200 bytes
+//!            at most: stack 2204 bytes, flash 9340 bytes without elementary functions
 //!
 //! Contract:
 //!  1. No heap, no recursion, no global or static mutable data, no file or console, no library.
@@ -87,6 +87,8 @@ pub struct Observer {
     newest: usize,
     /// good samples in a row, then predicted ones too, at most 101
     count: usize,
+    /// calls since the newest sample of y
+    since_y: usize,
     /// calls until no replaced sample is in the window
     coasting: usize,
     /// 1 where there is a sample of y, by slot
@@ -214,36 +216,36 @@ struct Work {
     t007: f32,
     t008: usize,
     t012: f32,
-    t026: usize,
-    t037: f32,
-    t039: f32,
-    t041: f32,
-    t043: f32,
+    t034: usize,
     t045: f32,
     t047: f32,
     t049: f32,
     t051: f32,
     t053: f32,
-    t054: f32,
     t055: f32,
-    t056: f32,
     t057: f32,
-    t058: f32,
     t059: f32,
-    t060: f32,
     t061: f32,
     t062: f32,
     t063: f32,
     t064: f32,
     t065: f32,
-    t163: f32,
-    t169: f32,
-    t175: f32,
-    t224: f32,
-    t225: f32,
-    t226: f32,
-    t234: Status,
-    /// t25, t145
+    t066: f32,
+    t067: f32,
+    t068: f32,
+    t069: f32,
+    t070: f32,
+    t071: f32,
+    t072: f32,
+    t073: f32,
+    t171: f32,
+    t177: f32,
+    t183: f32,
+    t232: f32,
+    t233: f32,
+    t234: f32,
+    t242: Status,
+    /// t33, t153
     flags: [bool; 2],
 }
 
@@ -253,35 +255,35 @@ impl Work {
         t007: 0.0,
         t008: 0,
         t012: 0.0,
-        t026: 0,
-        t037: 0.0,
-        t039: 0.0,
-        t041: 0.0,
-        t043: 0.0,
+        t034: 0,
         t045: 0.0,
         t047: 0.0,
         t049: 0.0,
         t051: 0.0,
         t053: 0.0,
-        t054: 0.0,
         t055: 0.0,
-        t056: 0.0,
         t057: 0.0,
-        t058: 0.0,
         t059: 0.0,
-        t060: 0.0,
         t061: 0.0,
         t062: 0.0,
         t063: 0.0,
         t064: 0.0,
         t065: 0.0,
-        t163: 0.0,
-        t169: 0.0,
-        t175: 0.0,
-        t224: 0.0,
-        t225: 0.0,
-        t226: 0.0,
-        t234: Status::Converging,
+        t066: 0.0,
+        t067: 0.0,
+        t068: 0.0,
+        t069: 0.0,
+        t070: 0.0,
+        t071: 0.0,
+        t072: 0.0,
+        t073: 0.0,
+        t171: 0.0,
+        t177: 0.0,
+        t183: 0.0,
+        t232: 0.0,
+        t233: 0.0,
+        t234: 0.0,
+        t242: Status::Converging,
         flags: [false; 2],
     };
 }
@@ -295,6 +297,7 @@ impl Observer {
             u: [0.0; 101],
             newest: 100,
             count: 0,
+            since_y: 0,
             coasting: 0,
             has_y: [0.0; 101],
             next_q: 0.0,
@@ -314,10 +317,10 @@ impl Observer {
         Self::part_4(&mut work);
         self.part_5(&mut work);
         Estimate {
-            q: work.t224,
-            dq: work.t225,
-            i: work.t226,
-            status: work.t234,
+            q: work.t232,
+            dq: work.t233,
+            i: work.t234,
+            status: work.t242,
         }
     }
 
@@ -336,243 +339,250 @@ impl Observer {
         let t011 = self.y[t001];
         work.t012 = if t003 { t002 } else { t011 };
         let t013 = if t003 { 1.0 } else { 0.0 };
+        let t014 = self.count;
+        let t015 = self.since_y;
+        let t016 = if t015 < 10 { t015 + 1 } else { 10 };
+        let t018 = if t003 { 0 } else { t016 };
+        self.since_y = t018;
+        let t020 = t018 < 10;
+        let t021 = t003 || t020;
 
         // how much of the window is good
-        let t014 = self.count;
-        let t016 = 100 < t014;
-        let t019 = if t014 < 101 { t014 + 1 } else { 101 };
-        let t020 = if t005 { t019 } else { 1 };
-        let t021 = if t016 { t019 } else { t020 };
-        self.count = t021;
-        let t022 = self.coasting;
-        let t023 = t022.saturating_sub(1);
-        let t024 = if t005 { t023 } else { 100 };
-        self.coasting = t024;
+        let t023 = 100 < t014;
+        let t025 = if t014 < 101 { t014 + 1 } else { 101 };
+        let t026 = if t005 { t025 } else { 1 };
+        let t027 = if t023 { t025 } else { t026 };
+        self.count = t027;
+        let t028 = self.coasting;
+        let t029 = t028.saturating_sub(1);
+        let t030 = if t005 { t029 } else { 100 };
+        let t032 = if t021 { t030 } else { 101 };
+        self.coasting = t032;
 
         // into the window
         self.newest = work.t008;
         self.y[work.t008.min(100)] = work.t012;
         self.has_y[work.t008.min(100)] = t013;
         self.u[work.t008.min(100)] = work.t007;
-        work.flags[0] = 100 < t021;
+        work.flags[0] = 100 < t027;
     }
 
     /// Part 2 of a step.
     fn part_2(&self, work: &mut Work) {
         // rows of the window, oldest first; those without a sample count nothing
-        work.t026 = if work.t008 < 100 { work.t008 + 1 } else { 0 };
-        let t030 = self.has_y[work.t026.min(100)];
-        let t031 = self.y[work.t026.min(100)];
-        let t032 = t031 - 0.0;
-        let t033 = t030 * 0.099_503_72;
-        let t034 = t030 * -0.181_241_44;
-        let t035 = t030 * 0.561_164_7;
-        let t036 = t033 * t033;
-        work.t037 = 0.0 + t036;
-        let t038 = t033 * t034;
-        work.t039 = 0.0 + t038;
-        let t040 = t033 * t035;
-        work.t041 = 0.0 + t040;
-        let t042 = t034 * t034;
-        work.t043 = 0.0 + t042;
-        let t044 = t034 * t035;
+        work.t034 = if work.t008 < 100 { work.t008 + 1 } else { 0 };
+        let t038 = self.has_y[work.t034.min(100)];
+        let t039 = self.y[work.t034.min(100)];
+        let t040 = t039 - 0.0;
+        let t041 = t038 * 0.099_503_72;
+        let t042 = t038 * -0.181_241_44;
+        let t043 = t038 * 0.561_164_7;
+        let t044 = t041 * t041;
         work.t045 = 0.0 + t044;
-        let t046 = t035 * t035;
+        let t046 = t041 * t042;
         work.t047 = 0.0 + t046;
-        let t048 = t033 * t032;
+        let t048 = t041 * t043;
         work.t049 = 0.0 + t048;
-        let t050 = t034 * t032;
+        let t050 = t042 * t042;
         work.t051 = 0.0 + t050;
-        let t052 = t035 * t032;
+        let t052 = t042 * t043;
         work.t053 = 0.0 + t052;
+        let t054 = t043 * t043;
+        work.t055 = 0.0 + t054;
+        let t056 = t041 * t040;
+        work.t057 = 0.0 + t056;
+        let t058 = t042 * t040;
+        work.t059 = 0.0 + t058;
+        let t060 = t043 * t040;
+        work.t061 = 0.0 + t060;
     }
 
     /// Part 3 of a step.
     fn part_3(&self, work: &mut Work) {
-        work.t054 = work.t037;
-        work.t055 = work.t039;
-        work.t056 = work.t041;
-        work.t057 = work.t043;
-        work.t058 = work.t045;
-        work.t059 = work.t047;
-        work.t060 = work.t049;
-        work.t061 = work.t051;
-        work.t062 = work.t053;
-        work.t063 = 0.0;
-        work.t064 = 0.0;
-        work.t065 = 0.0;
-        let mut t066: usize = work.t026;
+        work.t062 = work.t045;
+        work.t063 = work.t047;
+        work.t064 = work.t049;
+        work.t065 = work.t051;
+        work.t066 = work.t053;
+        work.t067 = work.t055;
+        work.t068 = work.t057;
+        work.t069 = work.t059;
+        work.t070 = work.t061;
+        work.t071 = 0.0;
+        work.t072 = 0.0;
+        work.t073 = 0.0;
+        let mut t074: usize = work.t034;
         for gains in &ROWS {
-            let t067 = if t066 < 100 { t066 + 1 } else { 0 };
-            let t068 = self.u[t067];
-            let t070 = 0.000_999_413_5 * work.t064;
-            let t072 = 7.021_338e-6 * work.t065;
-            let t073 = work.t063 + t070;
-            let t074 = t073 + t072;
-            let t076 = 9.516_694e-8 * t068;
-            let t077 = t074 + t076;
-            let t079 = 0.998_745 * work.t064;
-            let t081 = 0.013_586_936_5 * work.t065;
-            let t082 = t079 + t081;
-            let t084 = 0.000_280_853_54 * t068;
+            let t075 = if t074 < 100 { t074 + 1 } else { 0 };
+            let t076 = self.u[t075];
+            let t078 = 0.000_999_413_5 * work.t072;
+            let t080 = 7.021_338e-6 * work.t073;
+            let t081 = work.t071 + t078;
+            let t082 = t081 + t080;
+            let t084 = 9.516_694e-8 * t076;
             let t085 = t082 + t084;
-            let t087 = -0.032_970_965 * work.t064;
-            let t089 = 0.818_491_64 * work.t065;
+            let t087 = 0.998_745 * work.t072;
+            let t089 = 0.013_586_936_5 * work.t073;
             let t090 = t087 + t089;
-            let t092 = 0.036_250_554 * t068;
+            let t092 = 0.000_280_853_54 * t076;
             let t093 = t090 + t092;
-            let t094 = gains[0];
-            let t095 = gains[1];
-            let t096 = gains[2];
-            let t097 = self.has_y[t067];
-            let t098 = self.y[t067];
-            let t099 = t098 - t077;
-            let t100 = t097 * t094;
-            let t101 = t097 * t095;
-            let t102 = t097 * t096;
-            let t103 = t100 * t100;
-            let t104 = work.t054 + t103;
-            let t105 = t100 * t101;
-            let t106 = work.t055 + t105;
-            let t107 = t100 * t102;
-            let t108 = work.t056 + t107;
-            let t109 = t101 * t101;
-            let t110 = work.t057 + t109;
-            let t111 = t101 * t102;
-            let t112 = work.t058 + t111;
-            let t113 = t102 * t102;
-            let t114 = work.t059 + t113;
-            let t115 = t100 * t099;
-            let t116 = work.t060 + t115;
-            let t117 = t101 * t099;
-            let t118 = work.t061 + t117;
-            let t119 = t102 * t099;
-            let t120 = work.t062 + t119;
-            work.t054 = t104;
-            work.t055 = t106;
-            work.t056 = t108;
-            work.t057 = t110;
-            work.t058 = t112;
-            work.t059 = t114;
-            work.t060 = t116;
-            work.t061 = t118;
-            work.t062 = t120;
-            work.t063 = t077;
-            work.t064 = t085;
-            work.t065 = t093;
-            t066 = t067;
+            let t095 = -0.032_970_965 * work.t072;
+            let t097 = 0.818_491_64 * work.t073;
+            let t098 = t095 + t097;
+            let t100 = 0.036_250_554 * t076;
+            let t101 = t098 + t100;
+            let t102 = gains[0];
+            let t103 = gains[1];
+            let t104 = gains[2];
+            let t105 = self.has_y[t075];
+            let t106 = self.y[t075];
+            let t107 = t106 - t085;
+            let t108 = t105 * t102;
+            let t109 = t105 * t103;
+            let t110 = t105 * t104;
+            let t111 = t108 * t108;
+            let t112 = work.t062 + t111;
+            let t113 = t108 * t109;
+            let t114 = work.t063 + t113;
+            let t115 = t108 * t110;
+            let t116 = work.t064 + t115;
+            let t117 = t109 * t109;
+            let t118 = work.t065 + t117;
+            let t119 = t109 * t110;
+            let t120 = work.t066 + t119;
+            let t121 = t110 * t110;
+            let t122 = work.t067 + t121;
+            let t123 = t108 * t107;
+            let t124 = work.t068 + t123;
+            let t125 = t109 * t107;
+            let t126 = work.t069 + t125;
+            let t127 = t110 * t107;
+            let t128 = work.t070 + t127;
+            work.t062 = t112;
+            work.t063 = t114;
+            work.t064 = t116;
+            work.t065 = t118;
+            work.t066 = t120;
+            work.t067 = t122;
+            work.t068 = t124;
+            work.t069 = t126;
+            work.t070 = t128;
+            work.t071 = t085;
+            work.t072 = t093;
+            work.t073 = t101;
+            t074 = t075;
         }
     }
 
     /// Part 4 of a step.
     fn part_4(work: &mut Work) {
         // the window's start from the samples that are there
-        let t122 = 0.000_127_305 < work.t054;
-        let t123 = if t122 { work.t054 } else { 1.0 };
-        let t124 = work.t055 / t123;
-        let t125 = t124 * work.t055;
-        let t126 = work.t057 - t125;
-        let t127 = t124 * work.t056;
-        let t128 = work.t058 - t127;
-        let t129 = t124 * work.t060;
-        let t130 = work.t061 - t129;
-        let t131 = work.t056 / t123;
-        let t132 = t131 * work.t056;
-        let t133 = work.t059 - t132;
-        let t134 = t131 * work.t060;
-        let t135 = work.t062 - t134;
-        let t136 = 0.000_127_305 < t126;
-        let t137 = t122 && t136;
-        let t138 = if t136 { t126 } else { 1.0 };
-        let t139 = t128 / t138;
-        let t140 = t139 * t128;
-        let t141 = t133 - t140;
-        let t142 = t139 * t130;
-        let t143 = t135 - t142;
-        let t144 = 0.000_127_305 < t141;
-        work.flags[1] = t137 && t144;
-        let t146 = if t144 { t141 } else { 1.0 };
-        let t147 = t143 / t146;
-        let t148 = t128 * t147;
-        let t149 = t130 - t148;
-        let t150 = t149 / t138;
-        let t151 = work.t055 * t150;
-        let t152 = work.t060 - t151;
-        let t153 = work.t056 * t147;
-        let t154 = t152 - t153;
-        let t155 = t154 / t123;
-        let t156 = 0.099_503_72 * t155;
-        let t158 = 0.160_224_2 * t150;
-        let t160 = 0.065_137_93 * t147;
-        let t161 = t156 + t158;
-        let t162 = t161 + t160;
-        work.t163 = t162 + work.t063;
-        let t165 = 2.811_884_2 * t150;
-        let t167 = 1.841_816_8 * t147;
-        let t168 = t165 + t167;
-        work.t169 = t168 + work.t064;
-        let t171 = -0.521_628_56 * t150;
-        let t173 = -0.341_667_77 * t147;
-        let t174 = t171 + t173;
-        work.t175 = t174 + work.t065;
+        let t130 = 0.000_127_305 < work.t062;
+        let t131 = if t130 { work.t062 } else { 1.0 };
+        let t132 = work.t063 / t131;
+        let t133 = t132 * work.t063;
+        let t134 = work.t065 - t133;
+        let t135 = t132 * work.t064;
+        let t136 = work.t066 - t135;
+        let t137 = t132 * work.t068;
+        let t138 = work.t069 - t137;
+        let t139 = work.t064 / t131;
+        let t140 = t139 * work.t064;
+        let t141 = work.t067 - t140;
+        let t142 = t139 * work.t068;
+        let t143 = work.t070 - t142;
+        let t144 = 0.000_127_305 < t134;
+        let t145 = t130 && t144;
+        let t146 = if t144 { t134 } else { 1.0 };
+        let t147 = t136 / t146;
+        let t148 = t147 * t136;
+        let t149 = t141 - t148;
+        let t150 = t147 * t138;
+        let t151 = t143 - t150;
+        let t152 = 0.000_127_305 < t149;
+        work.flags[1] = t145 && t152;
+        let t154 = if t152 { t149 } else { 1.0 };
+        let t155 = t151 / t154;
+        let t156 = t136 * t155;
+        let t157 = t138 - t156;
+        let t158 = t157 / t146;
+        let t159 = work.t063 * t158;
+        let t160 = work.t068 - t159;
+        let t161 = work.t064 * t155;
+        let t162 = t160 - t161;
+        let t163 = t162 / t131;
+        let t164 = 0.099_503_72 * t163;
+        let t166 = 0.160_224_2 * t158;
+        let t168 = 0.065_137_93 * t155;
+        let t169 = t164 + t166;
+        let t170 = t169 + t168;
+        work.t171 = t170 + work.t071;
+        let t173 = 2.811_884_2 * t158;
+        let t175 = 1.841_816_8 * t155;
+        let t176 = t173 + t175;
+        work.t177 = t176 + work.t072;
+        let t179 = -0.521_628_56 * t158;
+        let t181 = -0.341_667_77 * t155;
+        let t182 = t179 + t181;
+        work.t183 = t182 + work.t073;
     }
 
     /// Part 5 of a step.
     fn part_5(&mut self, work: &mut Work) {
         // without enough samples, the model's prediction
-        let t176 = self.known;
-        let t177 = t176 == 1;
-        let t178 = self.next_q;
-        let t180 = 9.516_694e-8 * work.t007;
-        let t181 = t178 + t180;
-        let t182 = (-1e21..=1e21).contains(&t181);
-        let t183 = t177 && t182;
-        let t184 = if work.flags[1] { work.t163 } else { t181 };
-        let t185 = self.next_dq;
-        let t187 = 0.000_280_853_54 * work.t007;
-        let t188 = t185 + t187;
-        let t189 = (-1e21..=1e21).contains(&t188);
-        let t190 = t183 && t189;
-        let t191 = if work.flags[1] { work.t169 } else { t188 };
-        let t192 = self.next_i;
-        let t194 = 0.036_250_554 * work.t007;
-        let t195 = t192 + t194;
-        let t196 = (-1e21..=1e21).contains(&t195);
-        let t197 = t190 && t196;
-        let t198 = if work.flags[1] { work.t175 } else { t195 };
-        let t199 = work.flags[1] || t197;
-        let t200 = work.flags[0] && t199;
-        let t201 = usize::from(t200);
-        self.known = t201;
-        let t203 = 0.000_999_413_5 * t191;
-        let t205 = 7.021_338e-6 * t198;
-        let t206 = t184 + t203;
-        let t207 = t206 + t205;
-        let t208 = (-1e21..=1e21).contains(&t207);
-        let t209 = if t208 { t207 } else { 0.0 };
-        self.next_q = t209;
-        let t211 = 0.998_745 * t191;
-        let t213 = 0.013_586_936_5 * t198;
-        let t214 = t211 + t213;
-        let t215 = (-1e21..=1e21).contains(&t214);
-        let t216 = if t215 { t214 } else { 0.0 };
-        self.next_dq = t216;
-        let t218 = -0.032_970_965 * t191;
-        let t220 = 0.818_491_64 * t198;
-        let t221 = t218 + t220;
-        let t222 = (-1e21..=1e21).contains(&t221);
-        let t223 = if t222 { t221 } else { 0.0 };
-        self.next_i = t223;
+        let t184 = self.known;
+        let t185 = t184 == 1;
+        let t186 = self.next_q;
+        let t188 = 9.516_694e-8 * work.t007;
+        let t189 = t186 + t188;
+        let t190 = (-1e21..=1e21).contains(&t189);
+        let t191 = t185 && t190;
+        let t192 = if work.flags[1] { work.t171 } else { t189 };
+        let t193 = self.next_dq;
+        let t195 = 0.000_280_853_54 * work.t007;
+        let t196 = t193 + t195;
+        let t197 = (-1e21..=1e21).contains(&t196);
+        let t198 = t191 && t197;
+        let t199 = if work.flags[1] { work.t177 } else { t196 };
+        let t200 = self.next_i;
+        let t202 = 0.036_250_554 * work.t007;
+        let t203 = t200 + t202;
+        let t204 = (-1e21..=1e21).contains(&t203);
+        let t205 = t198 && t204;
+        let t206 = if work.flags[1] { work.t183 } else { t203 };
+        let t207 = work.flags[1] || t205;
+        let t208 = work.flags[0] && t207;
+        let t209 = usize::from(t208);
+        self.known = t209;
+        let t211 = 0.000_999_413_5 * t199;
+        let t213 = 7.021_338e-6 * t206;
+        let t214 = t192 + t211;
+        let t215 = t214 + t213;
+        let t216 = (-1e21..=1e21).contains(&t215);
+        let t217 = if t216 { t215 } else { 0.0 };
+        self.next_q = t217;
+        let t219 = 0.998_745 * t199;
+        let t221 = 0.013_586_936_5 * t206;
+        let t222 = t219 + t221;
+        let t223 = (-1e21..=1e21).contains(&t222);
+        let t224 = if t223 { t222 } else { 0.0 };
+        self.next_dq = t224;
+        let t226 = -0.032_970_965 * t199;
+        let t228 = 0.818_491_64 * t206;
+        let t229 = t226 + t228;
+        let t230 = (-1e21..=1e21).contains(&t229);
+        let t231 = if t230 { t229 } else { 0.0 };
+        self.next_i = t231;
 
         // the estimate; until there is one, the start
-        work.t224 = if t200 { t184 } else { work.t012 };
-        work.t225 = if t200 { t191 } else { 0.0 };
-        work.t226 = if t200 { t198 } else { 0.0 };
-        let t227 = self.coasting;
-        let t228 = t227 == 0;
-        let t229 = work.flags[1] && t228;
-        let t233 = if t229 { Status::Converged } else { Status::Coasting };
-        work.t234 = if t200 { t233 } else { Status::Converging };
+        work.t232 = if t208 { t192 } else { work.t012 };
+        work.t233 = if t208 { t199 } else { 0.0 };
+        work.t234 = if t208 { t206 } else { 0.0 };
+        let t235 = self.coasting;
+        let t236 = t235 == 0;
+        let t237 = work.flags[1] && t236;
+        let t241 = if t237 { Status::Converged } else { Status::Coasting };
+        work.t242 = if t208 { t241 } else { Status::Converging };
     }
 }
 const _: f32 = SAMPLE_TIME;

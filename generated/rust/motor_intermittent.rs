@@ -19,7 +19,7 @@
 //! Method     single-delay: sampled twin over the last 101 samples (0.1 s at 0.001 s), k = 20 1/s
 //! Converged  from call 429 (0.428 s after the first) to 1e-6 of the initial error; by 0.6525 every 8 calls
 //!            linear part: with a measurement every 8 samples the error's spectral radius is 0.6525 a period
-//!            000 Theorem 2 does not hold: T mu = 1.268e21, mu = 1.585e23 1/s
+//!            Theorem 2 (of the continuous observer) does not hold: T mu = 1.268e21, mu = 1.585e23 1/s
 //!
 //!                                  q      dq     i
 //!   unit                           rad    rad/s  A

@@ -14,7 +14,7 @@
 //!            L = [[-1]] (rows x2, columns x1)
 //!            Measured every 2 calls, mu = 0.05 s: the linear part's error map over 1 s has the spectral radius 0.01266
 //!              and with the slopes of the nonlinear terms at the ends of what is declared, at most 0.01774
-//!            Theorem 2: Lipschitz constants 0 and 1, beta = 4.746 1/s, gamma(mu) = 10.49 1/s
+//!            Theorem 2 (in continuous time): Lipschitz constants 0 and 1, beta = 4.746 1/s, gamma(mu) = 10.49 1/s
 //!              mu gamma(mu) = 0.5246 < 1: proved, at a rate of 0.3147 1/s; so for mu < 0.09531 s
 //!
 //!                                   x1     x2
@@ -26,7 +26,7 @@
 //!
 //! Cost       12 multiplications, 15 additions, 1 sin a call, the same for every call
 //! Memory     state 56 bytes, constants 0 bytes
-//!            at most: stack 1952 bytes, flash 4348 bytes without elementary functions
+//!            at most: stack 1944 bytes, flash 4332 bytes without elementary functions
 //!
 //! Contract:
 //!  1. No heap, no recursion, no global or static mutable data, no file or console, no library.
@@ -79,7 +79,7 @@ pub struct Observer {
     phase: usize,
     /// calls since the start, at most 161; 0 while waiting for it
     count: usize,
-    /// good calls in a row, at most 41
+    /// good calls in a row, at most 161
     clean: usize,
     /// 1 from a bad call until a whole period was good
     coasting: usize,
@@ -97,8 +97,8 @@ struct Work {
     t072: f64,
     t080: f64,
     t081: f64,
-    t113: f64,
-    t118: Status,
+    t112: f64,
+    t117: Status,
     /// t3, t6, t48, t50, t70, t83
     flags: [bool; 6],
 }
@@ -114,8 +114,8 @@ impl Work {
         t072: 0.0,
         t080: 0.0,
         t081: 0.0,
-        t113: 0.0,
-        t118: Status::Converging,
+        t112: 0.0,
+        t117: Status::Converging,
         flags: [false; 6],
     };
 }
@@ -144,8 +144,8 @@ impl Observer {
         self.part_2(&mut work);
         Estimate {
             x1: work.t049,
-            x2: work.t113,
-            status: work.t118,
+            x2: work.t112,
+            status: work.t117,
         }
     }
 
@@ -246,36 +246,36 @@ impl Observer {
         let t093 = if t084 { 0 } else { t092 };
         self.count = t093;
         let t094 = self.clean;
-        let t095 = if t094 < 41 { t094 + 1 } else { 41 };
+        let t095 = if t094 < 161 { t094 + 1 } else { 161 };
         let t096 = if work.flags[3] { t095 } else { 0 };
         self.clean = t096;
-        let t098 = 40 < t096;
-        let t099 = work.flags[4] && t098;
-        let t100 = self.coasting;
-        let t101 = if t099 { 0 } else { t100 };
-        let t102 = if work.flags[3] { t101 } else { 1 };
-        self.coasting = t102;
-        let t103 = t102 == 0;
-        let t105 = t093 < 2;
-        let t106 = 160 < t093;
+        let t097 = 160 < t096;
+        let t098 = work.flags[4] && t097;
+        let t099 = self.coasting;
+        let t100 = if t098 { 0 } else { t099 };
+        let t101 = if work.flags[3] { t100 } else { 1 };
+        self.coasting = t101;
+        let t102 = t101 == 0;
+        let t104 = t093 < 2;
+        let t105 = 160 < t093;
 
         // for the next call
-        let t108 = if t105 { 0.0 } else { work.t080 };
-        let t109 = 0.0 + work.t072;
-        let t110 = if t105 { t109 } else { work.t081 };
-        self.z1_x2 = t108;
-        self.z2_x2 = t110;
-        let t111 = if t105 { 0 } else { work.t069 };
-        self.phase = t111;
+        let t107 = if t104 { 0.0 } else { work.t080 };
+        let t108 = 0.0 + work.t072;
+        let t109 = if t104 { t108 } else { work.t081 };
+        self.z1_x2 = t107;
+        self.z2_x2 = t109;
+        let t110 = if t104 { 0 } else { work.t069 };
+        self.phase = t110;
         self.x1_1 = work.t049;
         self.sin_x1_1 = work.t034;
-        let t112 = if work.t000 < 1 { work.t000 + 1 } else { 0 };
-        self.turn = t112;
+        let t111 = if work.t000 < 1 { work.t000 + 1 } else { 0 };
+        self.turn = t111;
 
         // the estimate; until it has converged, the start
-        work.t113 = if t106 { t108 } else { 0.0 };
-        let t117 = if t103 { Status::Converged } else { Status::Coasting };
-        work.t118 = if t106 { t117 } else { Status::Converging };
+        work.t112 = if t105 { t107 } else { 0.0 };
+        let t116 = if t102 { Status::Converged } else { Status::Coasting };
+        work.t117 = if t105 { t116 } else { Status::Converging };
     }
 }
 

@@ -17,7 +17,7 @@
 //!              omega = 3 rad/s, of the sine
 //! Measured   x [m]
 //! Method     parameters: joint least squares for states and unknowns over the last 101 samples (1 s at 0.01 s)
-//! Converged  from call 101 (1 s after the first), whatever the initial state
+//! Converged  from call 101 (1 s after the first), as far as the signals excite the unknowns
 //!            `left`, `middle`, `right` and `shake`: exact while the last window excites them, that is, while more than 1e-6 of what
 //!            each shows is its own; else they keep their last values, and the status is `Converging`
 //!            factors of outputs are straight lines between samples: second order in the sample time
@@ -27,7 +27,7 @@
 //!
 //! Cost       11501 multiplications, 9683 additions, 10 divisions, 1 sin, 1 cos, 3 exp a call, the same for every call
 //! Memory     state 5720 bytes, constants 1600 bytes
-//!            at most: stack 10072 bytes, flash 22000 bytes without elementary functions
+//!            at most: stack 10136 bytes, flash 22272 bytes without elementary functions
 //!
 //! Contract:
 //!  1. No heap, no recursion, no global or static mutable data, no file or console, no library.
@@ -370,24 +370,24 @@ struct Work {
     t441: f64,
     t443: f64,
     t445: f64,
-    t509: f64,
-    t512: f64,
     t517: f64,
-    t524: f64,
-    t573: f64,
-    t587: f64,
-    t589: f64,
-    t590: f64,
-    t591: f64,
-    t592: f64,
-    t620: f64,
-    t621: f64,
-    t622: f64,
-    t623: f64,
-    t624: f64,
-    t625: f64,
-    t632: Status,
-    /// t7, t530, t534, t536
+    t520: f64,
+    t525: f64,
+    t532: f64,
+    t581: f64,
+    t595: f64,
+    t597: f64,
+    t598: f64,
+    t599: f64,
+    t600: f64,
+    t628: f64,
+    t629: f64,
+    t630: f64,
+    t631: f64,
+    t632: f64,
+    t633: f64,
+    t640: Status,
+    /// t7, t534, t542, t544
     flags: [bool; 4],
 }
 
@@ -536,23 +536,23 @@ impl Work {
         t441: 0.0,
         t443: 0.0,
         t445: 0.0,
-        t509: 0.0,
-        t512: 0.0,
         t517: 0.0,
-        t524: 0.0,
-        t573: 0.0,
-        t587: 0.0,
-        t589: 0.0,
-        t590: 0.0,
-        t591: 0.0,
-        t592: 0.0,
-        t620: 0.0,
-        t621: 0.0,
-        t622: 0.0,
-        t623: 0.0,
-        t624: 0.0,
-        t625: 0.0,
-        t632: Status::Converging,
+        t520: 0.0,
+        t525: 0.0,
+        t532: 0.0,
+        t581: 0.0,
+        t595: 0.0,
+        t597: 0.0,
+        t598: 0.0,
+        t599: 0.0,
+        t600: 0.0,
+        t628: 0.0,
+        t629: 0.0,
+        t630: 0.0,
+        t631: 0.0,
+        t632: 0.0,
+        t633: 0.0,
+        t640: Status::Converging,
         flags: [false; 4],
     };
 }
@@ -596,13 +596,13 @@ impl Observer {
         self.part_12(&mut work);
         self.part_13(&mut work);
         Estimate {
-            x: work.t620,
-            v: work.t621,
-            left: work.t622,
-            middle: work.t623,
-            right: work.t624,
-            shake: work.t625,
-            status: work.t632,
+            x: work.t628,
+            v: work.t629,
+            left: work.t630,
+            middle: work.t631,
+            right: work.t632,
+            shake: work.t633,
+            status: work.t640,
         }
     }
 
@@ -1139,192 +1139,200 @@ impl Observer {
         let t448 = 1e-12 * work.t113;
         let t449 = t448 < work.t294;
         let t450 = 1.002_084_180_004_486_4e-292 < work.t294;
-        let t451 = t449 && t450;
-        let t452 = if t451 { work.t294 } else { 1.0 };
-        let t453 = work.t295 / t452;
-        let t454 = work.t295 * t453;
-        let t455 = work.t296 - t454;
-        let t456 = 1e-12 * work.t114;
-        let t457 = t456 < t455;
-        let t458 = 1.002_084_180_004_486_4e-292 < t455;
-        let t459 = t457 && t458;
-        let t460 = t451 && t459;
-        let t461 = if t459 { t455 } else { 1.0 };
-        let t462 = work.t297 / t452;
-        let t463 = work.t297 * t453;
-        let t464 = work.t298 - t463;
-        let t465 = t464 / t461;
-        let t466 = work.t297 * t462;
-        let t467 = t464 * t465;
-        let t468 = t466 + t467;
-        let t469 = work.t299 - t468;
-        let t470 = 1e-12 * work.t115;
-        let t471 = t470 < t469;
-        let t472 = 1.002_084_180_004_486_4e-292 < t469;
-        let t473 = t471 && t472;
-        let t474 = t460 && t473;
-        let t475 = if t473 { t469 } else { 1.0 };
-        let t476 = work.t300 / t452;
-        let t477 = work.t300 * t453;
-        let t478 = work.t301 - t477;
-        let t479 = t478 / t461;
-        let t480 = work.t300 * t462;
-        let t481 = t478 * t465;
-        let t482 = t480 + t481;
-        let t483 = work.t302 - t482;
-        let t484 = t483 / t475;
-        let t485 = work.t300 * t476;
-        let t486 = t478 * t479;
-        let t487 = t483 * t484;
-        let t488 = t485 + t486;
-        let t489 = t488 + t487;
-        let t490 = work.t303 - t489;
-        let t491 = 1e-12 * work.t116;
-        let t492 = t491 < t490;
-        let t493 = 1.002_084_180_004_486_4e-292 < t490;
-        let t494 = t492 && t493;
-        let t495 = t474 && t494;
-        let t496 = if t494 { t490 } else { 1.0 };
-        let t497 = work.t304 * t453;
-        let t498 = work.t305 - t497;
-        let t499 = work.t304 * t462;
-        let t500 = t498 * t465;
-        let t501 = t499 + t500;
-        let t502 = work.t306 - t501;
-        let t503 = work.t304 * t476;
-        let t504 = t498 * t479;
-        let t505 = t502 * t484;
-        let t506 = t503 + t504;
-        let t507 = t506 + t505;
-        let t508 = work.t307 - t507;
-        work.t509 = t508 / t496;
-        let t510 = t502 / t475;
-        let t511 = work.t509 * t484;
-        work.t512 = t510 - t511;
-        let t513 = t498 / t461;
-        let t514 = work.t509 * t479;
-        let t515 = work.t512 * t465;
-        let t516 = t514 + t515;
-        work.t517 = t513 - t516;
-        let t518 = work.t304 / t452;
-        let t519 = work.t509 * t476;
-        let t520 = work.t512 * t462;
-        let t521 = work.t517 * t453;
-        let t522 = t519 + t520;
-        let t523 = t522 + t521;
-        work.t524 = t518 - t523;
-        let t525 = (-1e152..=1e152).contains(&work.t524);
-        let t526 = t495 && t525;
-        let t527 = (-1e152..=1e152).contains(&work.t517);
-        let t528 = t526 && t527;
-        let t529 = (-1e152..=1e152).contains(&work.t512);
-        work.flags[1] = t528 && t529;
+        let t451 = 0.0 <= work.t113;
+        let t452 = t449 && t450;
+        let t453 = t452 && t451;
+        let t454 = if t453 { work.t294 } else { 1.0 };
+        let t455 = work.t295 / t454;
+        let t456 = work.t295 * t455;
+        let t457 = work.t296 - t456;
+        let t458 = 1e-12 * work.t114;
+        let t459 = t458 < t457;
+        let t460 = 1.002_084_180_004_486_4e-292 < t457;
+        let t461 = 0.0 <= work.t114;
+        let t462 = t459 && t460;
+        let t463 = t462 && t461;
+        let t464 = t453 && t463;
+        let t465 = if t463 { t457 } else { 1.0 };
+        let t466 = work.t297 / t454;
+        let t467 = work.t297 * t455;
+        let t468 = work.t298 - t467;
+        let t469 = t468 / t465;
+        let t470 = work.t297 * t466;
+        let t471 = t468 * t469;
+        let t472 = t470 + t471;
+        let t473 = work.t299 - t472;
+        let t474 = 1e-12 * work.t115;
+        let t475 = t474 < t473;
+        let t476 = 1.002_084_180_004_486_4e-292 < t473;
+        let t477 = 0.0 <= work.t115;
+        let t478 = t475 && t476;
+        let t479 = t478 && t477;
+        let t480 = t464 && t479;
+        let t481 = if t479 { t473 } else { 1.0 };
+        let t482 = work.t300 / t454;
+        let t483 = work.t300 * t455;
+        let t484 = work.t301 - t483;
+        let t485 = t484 / t465;
+        let t486 = work.t300 * t466;
+        let t487 = t484 * t469;
+        let t488 = t486 + t487;
+        let t489 = work.t302 - t488;
+        let t490 = t489 / t481;
+        let t491 = work.t300 * t482;
+        let t492 = t484 * t485;
+        let t493 = t489 * t490;
+        let t494 = t491 + t492;
+        let t495 = t494 + t493;
+        let t496 = work.t303 - t495;
+        let t497 = 1e-12 * work.t116;
+        let t498 = t497 < t496;
+        let t499 = 1.002_084_180_004_486_4e-292 < t496;
+        let t500 = 0.0 <= work.t116;
+        let t501 = t498 && t499;
+        let t502 = t501 && t500;
+        let t503 = t480 && t502;
+        let t504 = if t502 { t496 } else { 1.0 };
+        let t505 = work.t304 * t455;
+        let t506 = work.t305 - t505;
+        let t507 = work.t304 * t466;
+        let t508 = t506 * t469;
+        let t509 = t507 + t508;
+        let t510 = work.t306 - t509;
+        let t511 = work.t304 * t482;
+        let t512 = t506 * t485;
+        let t513 = t510 * t490;
+        let t514 = t511 + t512;
+        let t515 = t514 + t513;
+        let t516 = work.t307 - t515;
+        work.t517 = t516 / t504;
+        let t518 = t510 / t481;
+        let t519 = work.t517 * t490;
+        work.t520 = t518 - t519;
+        let t521 = t506 / t465;
+        let t522 = work.t517 * t485;
+        let t523 = work.t520 * t469;
+        let t524 = t522 + t523;
+        work.t525 = t521 - t524;
+        let t526 = work.t304 / t454;
+        let t527 = work.t517 * t482;
+        let t528 = work.t520 * t466;
+        let t529 = work.t525 * t455;
+        let t530 = t527 + t528;
+        let t531 = t530 + t529;
+        work.t532 = t526 - t531;
+        let t533 = (-1e152..=1e152).contains(&work.t532);
+        work.flags[1] = t503 && t533;
     }
 
     /// Part 12 of a step.
     fn part_12(&mut self, work: &mut Work) {
-        let t531 = (-1e152..=1e152).contains(&work.t509);
-        let t532 = work.flags[1] && t531;
-        let t533 = 100 < work.t078;
-        work.flags[2] = t533 && t532;
-        let t535 = work.flags[2] || work.flags[0];
-        work.flags[3] = t533 && t535;
-        let t537 = if work.t005 < 1 { work.t005 + 1 } else { 1 };
-        let t538 = if work.flags[3] { t537 } else { 0 };
-        self.found = t538;
-        let t539 = if work.flags[2] { work.t524 } else { work.t051 };
-        self.found_left = t539;
-        let t540 = if work.flags[2] { work.t517 } else { work.t063 };
-        self.found_middle = t540;
-        let t541 = if work.flags[2] { work.t512 } else { work.t057 };
-        self.found_right = t541;
-        let t542 = self.found_shake;
-        let t543 = if work.flags[2] { work.t509 } else { t542 };
-        self.found_shake = t543;
+        let t535 = (-1e152..=1e152).contains(&work.t525);
+        let t536 = work.flags[1] && t535;
+        let t537 = (-1e152..=1e152).contains(&work.t520);
+        let t538 = t536 && t537;
+        let t539 = (-1e152..=1e152).contains(&work.t517);
+        let t540 = t538 && t539;
+        let t541 = 100 < work.t078;
+        work.flags[2] = t541 && t540;
+        let t543 = work.flags[2] || work.flags[0];
+        work.flags[3] = t541 && t543;
+        let t545 = if work.t005 < 1 { work.t005 + 1 } else { 1 };
+        let t546 = if work.flags[3] { t545 } else { 0 };
+        self.found = t546;
+        let t547 = if work.flags[2] { work.t532 } else { work.t051 };
+        self.found_left = t547;
+        let t548 = if work.flags[2] { work.t525 } else { work.t063 };
+        self.found_middle = t548;
+        let t549 = if work.flags[2] { work.t520 } else { work.t057 };
+        self.found_right = t549;
+        let t550 = self.found_shake;
+        let t551 = if work.flags[2] { work.t517 } else { t550 };
+        self.found_shake = t551;
 
         // the estimate; until the unknowns have been found, the start
-        let t544 = t539 * work.t103;
-        let t545 = t540 * work.t105;
-        let t546 = t541 * work.t107;
-        let t547 = t543 * work.t109;
-        let t548 = t544 + t545;
-        let t549 = t548 + t546;
-        let t550 = t549 + t547;
-        let t551 = work.t111 - t550;
-        let t552 = t539 * work.t104;
-        let t553 = t540 * work.t106;
-        let t554 = t541 * work.t108;
-        let t555 = t543 * work.t110;
+        let t552 = t547 * work.t103;
+        let t553 = t548 * work.t105;
+        let t554 = t549 * work.t107;
+        let t555 = t551 * work.t109;
         let t556 = t552 + t553;
         let t557 = t556 + t554;
         let t558 = t557 + t555;
-        let t559 = work.t112 - t558;
-        let t561 = -0.139_463_995_254_805_63 * t551;
-        let t563 = 0.005_773_693_671_891_355 * t559;
-        let t564 = t539 * work.t095;
-        let t565 = t540 * work.t097;
-        let t566 = t541 * work.t099;
-        let t567 = t543 * work.t101;
-        let t568 = work.t093 + t561;
-        let t569 = t568 + t563;
-        let t570 = t564 + t565;
-        let t571 = t570 + t566;
-        let t572 = t571 + t567;
-        work.t573 = t569 + t572;
-        let t575 = 0.036_511_158_879_724_04 * t551;
-        let t577 = 0.896_609_013_423_759_2 * t559;
-        let t578 = t539 * work.t096;
-        let t579 = t540 * work.t098;
-        let t580 = t541 * work.t100;
-        let t581 = t543 * work.t102;
-        let t582 = work.t094 + t575;
-        let t583 = t582 + t577;
-        let t584 = t578 + t579;
-        let t585 = t584 + t580;
-        let t586 = t585 + t581;
-        work.t587 = t583 + t586;
-        work.t589 = 8.0 * t539;
-        work.t590 = 8.0 * t540;
-        work.t591 = 8.0 * t541;
-        work.t592 = 8.0 * t543;
+        let t559 = work.t111 - t558;
+        let t560 = t547 * work.t104;
+        let t561 = t548 * work.t106;
+        let t562 = t549 * work.t108;
+        let t563 = t551 * work.t110;
+        let t564 = t560 + t561;
+        let t565 = t564 + t562;
+        let t566 = t565 + t563;
+        let t567 = work.t112 - t566;
+        let t569 = -0.139_463_995_254_805_63 * t559;
+        let t571 = 0.005_773_693_671_891_355 * t567;
+        let t572 = t547 * work.t095;
+        let t573 = t548 * work.t097;
+        let t574 = t549 * work.t099;
+        let t575 = t551 * work.t101;
+        let t576 = work.t093 + t569;
+        let t577 = t576 + t571;
+        let t578 = t572 + t573;
+        let t579 = t578 + t574;
+        let t580 = t579 + t575;
+        work.t581 = t577 + t580;
+        let t583 = 0.036_511_158_879_724_04 * t559;
+        let t585 = 0.896_609_013_423_759_2 * t567;
+        let t586 = t547 * work.t096;
+        let t587 = t548 * work.t098;
+        let t588 = t549 * work.t100;
+        let t589 = t551 * work.t102;
+        let t590 = work.t094 + t583;
+        let t591 = t590 + t585;
+        let t592 = t586 + t587;
+        let t593 = t592 + t588;
+        let t594 = t593 + t589;
+        work.t595 = t591 + t594;
+        work.t597 = 8.0 * t547;
+        work.t598 = 8.0 * t548;
+        work.t599 = 8.0 * t549;
+        work.t600 = 8.0 * t551;
     }
 
     /// Part 13 of a step.
     fn part_13(&mut self, work: &mut Work) {
         // the next measurement, as far as it is known
-        let t594 = 0.998_000_666_577_784_1 * work.t573;
-        let t596 = 0.009_993_334_666_539_69 * work.t587;
-        let t598 = self.found_shake;
-        let t599 = 0.000_399_836_689_342_810_2 * t598;
-        let t600 = t599 * work.t032;
-        let t602 = 3.999_020_097_185_029e-6 * t598;
-        let t603 = t602 * work.t033;
-        let t605 = self.found_left;
-        let t606 = 0.000_399_866_684_443_174_7 * t605;
-        let t607 = t606 * work.t041;
-        let t608 = self.found_right;
-        let t609 = 0.000_399_866_684_443_174_7 * t608;
-        let t610 = t609 * work.t046;
-        let t611 = self.found_middle;
-        let t612 = 0.000_399_866_684_443_174_7 * t611;
-        let t613 = t612 * work.t047;
-        let t614 = t594 + t596;
-        let t615 = t614 + t600;
-        let t616 = t603 + t607;
-        let t617 = t616 + t610;
-        let t618 = t617 + t613;
-        let t619 = t615 + t618;
-        self.ahead_x = t619;
-        work.t620 = if work.flags[3] { work.t573 } else { work.t072 };
-        work.t621 = if work.flags[3] { work.t587 } else { 0.0 };
-        work.t622 = if work.flags[3] { work.t589 } else { 0.0 };
-        work.t623 = if work.flags[3] { work.t590 } else { 0.0 };
-        work.t624 = if work.flags[3] { work.t591 } else { 0.0 };
-        work.t625 = if work.flags[3] { work.t592 } else { 0.0 };
-        let t626 = self.coasting;
-        let t627 = t626 == 0;
-        let t631 = if t627 { Status::Converged } else { Status::Coasting };
-        work.t632 = if work.flags[2] { t631 } else { Status::Converging };
+        let t602 = 0.998_000_666_577_784_1 * work.t581;
+        let t604 = 0.009_993_334_666_539_69 * work.t595;
+        let t606 = self.found_shake;
+        let t607 = 0.000_399_836_689_342_810_2 * t606;
+        let t608 = t607 * work.t032;
+        let t610 = 3.999_020_097_185_029e-6 * t606;
+        let t611 = t610 * work.t033;
+        let t613 = self.found_left;
+        let t614 = 0.000_399_866_684_443_174_7 * t613;
+        let t615 = t614 * work.t041;
+        let t616 = self.found_right;
+        let t617 = 0.000_399_866_684_443_174_7 * t616;
+        let t618 = t617 * work.t046;
+        let t619 = self.found_middle;
+        let t620 = 0.000_399_866_684_443_174_7 * t619;
+        let t621 = t620 * work.t047;
+        let t622 = t602 + t604;
+        let t623 = t622 + t608;
+        let t624 = t611 + t615;
+        let t625 = t624 + t618;
+        let t626 = t625 + t621;
+        let t627 = t623 + t626;
+        self.ahead_x = t627;
+        work.t628 = if work.flags[3] { work.t581 } else { work.t072 };
+        work.t629 = if work.flags[3] { work.t595 } else { 0.0 };
+        work.t630 = if work.flags[3] { work.t597 } else { 0.0 };
+        work.t631 = if work.flags[3] { work.t598 } else { 0.0 };
+        work.t632 = if work.flags[3] { work.t599 } else { 0.0 };
+        work.t633 = if work.flags[3] { work.t600 } else { 0.0 };
+        let t634 = self.coasting;
+        let t635 = t634 == 0;
+        let t639 = if t635 { Status::Converged } else { Status::Coasting };
+        work.t640 = if work.flags[2] { t639 } else { Status::Converging };
     }
 }
 

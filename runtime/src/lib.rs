@@ -14,9 +14,9 @@ pub use deadbeat_macros::observer;
 /// What a step says of its estimate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Status {
-    /// Not yet converged: the estimate is the start.
+    /// Not yet converged: the estimate is the start, or what was last known.
     Converging = 0,
-    /// The estimate is within its bound.
+    /// Converged: the estimate is what the file's header promises.
     Converged = 1,
     /// A missing sample in the window was replaced by the model's prediction.
     Coasting = 2,

@@ -17,8 +17,8 @@ extern "C" {
 #define {{ upper }}_SAMPLE_TIME {{ sample_time }}
 
 typedef enum {
-    {{ upper }}_CONVERGING = 0, /* not yet converged: the estimate is the start */
-    {{ upper }}_CONVERGED = 1,  /* the estimate is within its bound */
+    {{ upper }}_CONVERGING = 0, /* not yet: the estimate is the start, or what was last known */
+    {{ upper }}_CONVERGED = 1,  /* the estimate is what the header promises */
     {{ upper }}_COASTING = 2    /* a missing sample was replaced by the model's prediction */
 } {{ name }}_status;
 

@@ -49,9 +49,15 @@ pub(super) fn full_count(design: &Impulsive) -> u32 {
     length(design.calls.converged + 1)
 }
 
-/// Good calls that make a reset's period good.
-pub(super) fn clean_count(design: &Impulsive) -> u32 {
+/// Calls of a period that is good from its first sample to its reset.
+pub(super) fn period_count(design: &Impulsive) -> u32 {
     length(design.calls.warm_up + design.calls.period + 1)
+}
+
+/// Good calls after which nothing is left of what stood in for samples: between measurements errors are carried on, and
+/// die out as those at the start do.
+pub(super) fn clean_count(design: &Impulsive) -> u32 {
+    if design.calls.every > 1 { full_count(design) } else { period_count(design) }
 }
 
 pub(super) fn declare(builder: &mut Builder, plant: &Plant, design: &Impulsive) -> Cells {

@@ -7,7 +7,7 @@ use crate::window::lower::injections::{Injections, Moment};
 use crate::window::lower::place;
 use crate::window::lower::sample::{abandoned, all, any};
 
-use super::cells::{clean_count, length};
+use super::cells::{length, period_count};
 use super::{Lowering, Sampled};
 use crate::impulsive::known::Run;
 use crate::plant::Hold;
@@ -54,7 +54,7 @@ impl<'a> Lowering<'a> {
             lost.push(self.builder.not(covered));
             outputs.push(self.builder.select(good[o], measured[o], instead));
         }
-        let window = clean_count(self.design);
+        let window = period_count(self.design);
         let missed: Vec<_> = self.cells.missed.iter().map(|cell| (*cell, window)).collect();
         let there = self.there(&good, due);
         lost.extend(abandoned(&mut self.builder, &missed, &there));

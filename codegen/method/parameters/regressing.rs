@@ -11,6 +11,7 @@ use crate::parameters::augment::{own_states, varying};
 use crate::parameters::functions::Functions;
 use crate::plant::Plant;
 use crate::program::Scalar;
+use crate::regression::bound::noise_floors;
 use crate::regression::exact::Problem;
 use crate::regression::excitation::excitation;
 use crate::regression::{MOST, Regression};
@@ -29,7 +30,8 @@ pub(super) fn design(plant: &Plant, frame: &Frame, excitation: Option<&Quantity>
     let (signals, steps, functions) = (signals(plant), frame.steps, Functions::of(plant));
     let threshold = threshold(plant, excitation)?;
     let problem = Problem { plant, functions, signals: &signals, delays: &frame.delays, steps, threshold };
-    let (regression, exact, mut numerics) = problem.settle()?;
+    let (mut regression, exact, mut numerics) = problem.settle()?;
+    regression.floors = noise_floors(plant, &regression);
     numerics.condition = frame.condition;
     let mut notes = notes(plant, &problem.functions, threshold);
     notes.extend(excited(plant, &problem.functions, &regression)?);

@@ -72,7 +72,7 @@ impl Keys {
         };
         let condition = self.condition(plant, plan, intermittent);
         let Some(condition) = condition else {
-            let why = "000 Theorem 2 says nothing here: it needs continuous time, k > 0 for which `A1 + k I` can be \
+            let why = "Theorem 2 says nothing here: it needs continuous time, k > 0 for which `A1 + k I` can be \
                        inverted, and bounded slopes over declared ranges";
             notes.push(why.into());
             return Err(Box::new(
@@ -80,12 +80,19 @@ impl Keys {
             ));
         };
         if let Some(rate) = condition.rate {
-            notes.push(format!("000 Theorem 2 holds: T mu = {}, rate {} 1/s", short(condition.product), short(rate)));
+            notes.push(format!(
+                "Theorem 2 (of the continuous observer) holds: T mu = {}, rate {} 1/s",
+                short(condition.product),
+                short(rate)
+            ));
             return Ok(());
         }
         let factor = short(condition.product);
-        notes.push(format!("000 Theorem 2 does not hold: T mu = {factor}, mu = {} 1/s", short(condition.mu)));
-        let message = "the condition of 000 Theorem 2 for irregular measurements does not hold";
+        notes.push(format!(
+            "Theorem 2 (of the continuous observer) does not hold: T mu = {factor}, mu = {} 1/s",
+            short(condition.mu)
+        ));
+        let message = "the condition of Theorem 2 for irregular measurements does not hold";
         let unproved = unproved(message.into()).label(format!("T mu = {factor}; it must be below 1"));
         let help = format!("{accept}; or at most {} s between measurements", short(1.0 / condition.mu));
         Err(Box::new(unproved.measured(condition.product).help(help)))
@@ -210,14 +217,18 @@ impl Intermittent {
         let irregular = irregular::design(plant, signals, steps, most)?;
         let rounding = irregular::unit(plant.scalar) * irregular.amplification(most);
         let certificate = irregular::certify(plant, &irregular, &exact, most);
-        let refuse = |message: &str, label: String, number: f64| {
+        let refuse = |message: &str, label: String, number: f64, help: &str| {
             let error = Diagnostic::error(codes::WINDOW_TOO_SHORT, self.max.span(), message);
-            vec![
-                error
-                    .label(label)
-                    .measured(number)
-                    .help("measure more often, or leave the fast states out of the model"),
-            ]
+            vec![error.label(label).measured(number).help(help)]
+        };
+        let Some(certificate) = certificate else {
+            let message = "measurements so far apart do not show every state within the window";
+            return Err(refuse(
+                message,
+                format!("one every {most} samples, {} in the window", steps / most),
+                irregular.pivot,
+                "a longer window, or measure more often",
+            ));
         };
         if irregular.pivot < 16.0 * irregular.threshold || rounding > LARGEST_ROUNDING {
             let message = "a motion of the plant dies out between two measurements";
@@ -227,13 +238,11 @@ impl Intermittent {
                 short(rounding),
                 plant.scalar
             );
-            return Err(refuse(message, label, irregular.pivot));
+            let help = "measure more often, or leave the fast states out of the model";
+            return Err(refuse(message, label, irregular.pivot, help));
         }
-        let Some(certificate) = certificate else {
-            let message = "measurements so far apart do not show every state within the window";
-            return Err(refuse(message, format!("a measurement every {most} samples"), irregular.pivot));
-        };
         functional.irregular = Some(irregular);
+        functional.gaps = Some(Gaps { most, settled: steps + 1 });
         let h = plant.sample_time_s();
         let window = trimmed(seconds(steps, h));
         Ok(Design {
@@ -249,10 +258,10 @@ impl Intermittent {
             realizations: Vec::new(),
             notes: vec![
                 format!(
-                    "gains with a measurement every {most} samples; round-off then {} of the samples",
+                    "gains with a measurement every {most} samples, other patterns may cost more; round-off then {} of the samples",
                     short(rounding)
                 ),
-                "a linear plant needs no condition on gaps: 000 Theorem 2 is not used (give `k` to use it)".into(),
+                "a linear plant needs no condition on gaps: Theorem 2 is not used (give `k` to use it)".into(),
             ],
             constants: vec![
                 NamedMatrix { letter: "Phi", rows: exact.model.phi.to_f64() },

@@ -25,7 +25,7 @@ impl Step<'_> {
                 factors.push(self.lowering.builder.div(entry, pivots[j]));
             }
             let pivot = self.reduced(gathered.normal[i][i], &above, &factors);
-            let passes = self.passes(pivot, gathered.energy[i]);
+            let passes = self.passes(pivot, gathered.energy[i], self.regression.floors[i]);
             let b = &mut self.lowering.builder;
             determined = b.and(determined, passes);
             let one = b.float(1.0);
@@ -64,18 +64,21 @@ impl Step<'_> {
         b.sub(value, sum)
     }
 
-    /// Whether a pivot is a large enough share of its gamma's energy, and above where products lose digits.
-    fn passes(&mut self, pivot: Value, energy: Value) -> Value {
+    /// Whether a pivot is a large enough share of its gamma's energy, and that more than noise gives; and both above
+    /// where products lose digits.
+    fn passes(&mut self, pivot: Value, energy: Value, floor: f64) -> Value {
         let plant = self.lowering.plant;
         let smallest = match plant.scalar {
             Scalar::F32 => f64::from(f32::MIN_POSITIVE / f32::EPSILON),
             Scalar::F64 => f64::MIN_POSITIVE / f64::EPSILON,
         };
         let threshold = plant.scalar_value(self.regression.threshold);
+        let floor = plant.scalar_value(floor);
         let b = &mut self.lowering.builder;
-        let (smallest, threshold) = (b.float(smallest), b.float(threshold));
+        let (smallest, threshold, floor) = (b.float(smallest), b.float(threshold), b.float(floor));
         let share = b.mul(threshold, energy);
-        let (large, exact) = (b.less(share, pivot), b.less(smallest, pivot));
-        b.and(large, exact)
+        let (large, exact, alive) = (b.less(share, pivot), b.less(smallest, pivot), b.less_equal(floor, energy));
+        let large = b.and(large, exact);
+        b.and(large, alive)
     }
 }

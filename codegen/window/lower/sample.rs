@@ -110,12 +110,14 @@ impl<'a> Lowering<'a> {
             })
             .collect();
         let present = read.iter().map(|(_, good)| self.builder.select(*good, one, zero)).collect();
+        let count = self.builder.read(self.cells.count);
+        let expected = self.expected(read.iter().map(|(_, good)| *good).collect(), count);
         self.known_before_the_samples(&mut signals, before);
         self.known_with_the_samples(&mut signals, before, &outputs);
         let values = signals.values.into_iter().flatten().collect();
         let (samples_good, lost) = (self.builder.boolean(true), self.builder.boolean(false));
-        let (interval_good, newest_good) =
-            (all(&mut self.builder, &signals.since), all(&mut self.builder, &signals.now));
+        let of_now: Vec<Value> = expected.into_iter().chain(signals.now).collect();
+        let (interval_good, newest_good) = (all(&mut self.builder, &signals.since), all(&mut self.builder, &of_now));
         let late = Vec::new();
         Sampled { newest, samples_good, interval_good, newest_good, late, lost, outputs, signals: values, present }
     }
@@ -123,7 +125,9 @@ impl<'a> Lowering<'a> {
     /// Whether each sample is good, or missing as measurements at irregular times are.
     fn expected(&mut self, good: Vec<Value>, count: Value) -> Vec<Value> {
         let Some(gaps) = self.functional.gaps else { return good };
-        let started = self.counted(count, 1);
+        // Predictions need a first sample; a solve over what is there does not.
+        let started =
+            if self.functional.irregular.is_some() { self.builder.boolean(true) } else { self.counted(count, 1) };
         let most = super::bounded(gaps.most);
         let mut expected = Vec::new();
         for (good, cell) in good.into_iter().zip(self.cells.gaps.clone()) {
