@@ -19,7 +19,7 @@ use deadbeat_codegen::program::interp::Interpreter;
 use deadbeat_codegen::program::{Scalar, Status};
 use deadbeat_codegen::real::{Precision, Real};
 use deadbeat_codegen::{Generated, Generator, diagnostic::codes};
-use plant::{Hold, NOTHING_YET, Run, Truth, corpus, designed, designed_in, edited, matrix};
+use plant::{Hold, NOTHING_YET, Random, Run, Truth, corpus, designed, designed_in, edited, matrix};
 use serde_json::Value;
 use truths::truth;
 
@@ -256,6 +256,30 @@ fn the_status_follows_the_excitation() {
     // Weights below 100, rounding errors of some tens of u; the first and last intervals hardly excite.
     for (i, error) in answers.errors(&run, steps..run.states.len()).iter().enumerate() {
         assert!(*error < 1e-9, "state {i}: {error:e}");
+    }
+}
+
+/// A plant at rest tells nothing of a factor of its position, whatever noise is measured; a plant that swings does.
+#[test]
+fn noise_alone_is_no_excitation() {
+    let text = "deadbeat = 1\nname = 'spring'\n[states]\nx = { derivative = 'v' }\nv = { derivative = '-4*x - a*x' }\n\
+                [unknowns]\na = {}\n[outputs]\nx = { value = 'x', noise = 1e-3, range = [-10, 10] }\n\
+                [observer.parameters]\nwindow = 0.5\n[target]\nsample_time = 0.01\nscalar = 'f64'\n";
+    let generated = designed(text);
+    let steps = generated.design.valid_from_step;
+    let mut random = Random::new(7);
+    for (amplitude, excited) in [(0.0, false), (1.0, true)] {
+        let mut run = Run::default();
+        for call in 0..400 {
+            // x'' = -9 x: a is 5.
+            let x = amplitude * f64::cos(0.03 * f64::from(call));
+            run.measurements.push(vec![x + random.within(-1e-3, 1e-3)]);
+            run.inputs.push(vec![]);
+        }
+        let answers = run.through(&generated);
+        let converged = answers.statuses.iter().filter(|status| **status == Status::Converged).count();
+        println!("amplitude {amplitude}: {converged} of 400 converged");
+        assert_eq!(converged, if excited { 400 - steps } else { 0 }, "amplitude {amplitude}");
     }
 }
 
