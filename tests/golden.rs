@@ -118,3 +118,11 @@ fn every_table_of_the_corpus_is_a_method() {
         }
     }
 }
+
+/// Claim: no dependency chooses its arithmetic by the processor it runs on; some constants come from matrices of doubles.
+#[test]
+fn no_arithmetic_depends_on_the_processor() {
+    let lock = fs::read_to_string(root().join("Cargo.lock")).expect("Cargo.lock");
+    assert!(lock.contains("name = \"nalgebra\""));
+    assert!(!lock.contains("name = \"matrixmultiply\""), "nalgebra's feature `std` brings it in");
+}

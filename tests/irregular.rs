@@ -46,19 +46,20 @@ fn thin(run: &mut Run, most: usize, random: &mut Random) {
 /// The most by which rounding can move the estimate.
 ///
 /// The sums over the rows, in the step, and the run's own simulation, whose error of some units per sample the observer
-/// sees as noise, reach a state as often as `Irregular::amplification` says for regular gaps; irregular ones that
-/// pass the pivots' threshold cost at most sixteen times that. What moves the state by itself counts with it.
+/// sees as noise, reach a state as often as `Irregular::amplification` says for regular gaps. Irregular ones whose
+/// pivots are above the threshold, a 64th of the regular ones', cost more: sixteen times is allowed, and the largest
+/// error of these plants is 0.4 of that. What moves the state by itself counts with it.
 fn bound(generated: &Generated, run: &Run, most: usize) -> f64 {
     let sizes = run.sizes(0).into_iter().fold(0.0, f64::max);
     let inputs = run.inputs.iter().flatten().fold(0.0_f64, |largest, u| largest.max(u.abs()));
     let irregular = solve(generated);
     let moved = irregular.largest_gain().min(1e3) * inputs;
-    16.0 * 64.0 * UNIT * irregular.amplification(most).max(1.0) * (sizes + inputs + moved)
+    16.0 * UNIT * irregular.amplification(most).max(1.0) * (sizes + inputs + moved)
 }
 
 #[test]
 fn every_linear_plant_is_estimated_exactly_from_the_samples_that_are_there() {
-    let (refused, tight) = (Cell::new(0), Cell::new(0));
+    let (refused, tight, worst) = (Cell::new(0), Cell::new(0), Cell::new(0.0_f64));
     let config = Config { cases: PLANTS, failure_persistence: None, ..Config::default() };
     let random = TestRng::deterministic_rng(RngAlgorithm::ChaCha);
     let shapes = (
@@ -101,6 +102,7 @@ fn every_linear_plant_is_estimated_exactly_from_the_samples_that_are_there() {
         let bound = bound(&generated, &run, most);
         let size = run.sizes(linear.steps).into_iter().fold(0.0, f64::max);
         for (i, error) in answers.errors(&run, linear.steps..calls).into_iter().enumerate() {
+            worst.set(worst.get().max(error / bound));
             if error > bound {
                 return Err(TestCaseError::fail(format!("state {i}: {error:e} above {bound:e} of {size:e}\n{text}")));
             }
@@ -110,7 +112,10 @@ fn every_linear_plant_is_estimated_exactly_from_the_samples_that_are_there() {
     });
     outcome.unwrap_or_else(|why| panic!("{why}"));
     let (refused, tight) = (refused.get(), tight.get());
-    println!("{refused} of {PLANTS} refused; the bound is below a millionth of the state for {tight}");
+    println!(
+        "{refused} of {PLANTS} refused; the bound is below a millionth of the state for {tight}; largest error / bound {:.1e}",
+        worst.get()
+    );
     assert!(PLANTS - refused >= 200, "{refused} of {PLANTS} refused");
     assert!(2 * tight >= PLANTS - refused, "the bound says nothing for most plants");
 }
