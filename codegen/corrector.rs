@@ -1,0 +1,5 @@
+//! The shape "predict and correct".
+
+pub mod noise;
+pub mod placement;
+pub mod riccati;
