@@ -2,10 +2,10 @@
 
 use super::prescribed_time::{refuse_delays, refuse_several_outputs};
 use super::window::{constants, refuse_unknowns, resolution_warnings, time_warning, verdict};
-use crate::corrector::Counting;
 use crate::corrector::design::{Built, Promise, Request, build};
 use crate::corrector::exact::{Exact, Law};
-use crate::design::{Design, NamedMatrix, Shape};
+use crate::corrector::{Counting, Gain};
+use crate::design::{Design, NamedMatrix, Settled, Shape};
 use crate::diagnostic::Diagnostic;
 use crate::plant::Plant;
 use crate::real::Precision;
@@ -58,7 +58,11 @@ pub(super) fn design(plant: &Plant, asked: Asked) -> Result<Design, Vec<Diagnost
     numerics.condition = condition;
     let notes = (asked.notes)(&exact)?;
     let mut matrices = constants(&exact.model);
-    matrices.push(NamedMatrix { letter: "K", rows: exact.law.gain(&exact, Counting::NONE, 0) });
+    if let Gain::Constant(gain) = &corrector.gain {
+        let entry = |entry: &Option<Settled>| entry.unwrap_or_default().double;
+        matrices
+            .push(NamedMatrix { letter: "K", rows: gain.iter().map(|row| row.iter().map(entry).collect()).collect() });
+    }
     let mut warnings = asked.warnings;
     warnings.extend(time_warning(plant));
     warnings.extend(resolution_warnings(plant));

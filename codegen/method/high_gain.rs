@@ -37,7 +37,11 @@ pub const METHOD: Method = Method {
     source: "Khalil 2017, chapter 2; Efimov and Orlov 2024, (4) with constant rho; implicit, for any plant",
     keys: &[
         ("gain", "1/s", "the i-th derivative's error is corrected by L_i gain^i"),
-        ("poles", "dimensionless", "as many as states, below 0: of s^n + L_1 s^(n-1) + … + L_n; times `gain`, in rad/s"),
+        (
+            "poles",
+            "dimensionless",
+            "as many as states, below 0: of s^n + L_1 s^(n-1) + … + L_n; times `gain`, in rad/s",
+        ),
         ("L", "list", "instead of `poles`: L_1 … L_n, above 0"),
     ],
     realizations: &[("recursive", "the state is carried on from call to call, and corrected")],
@@ -77,7 +81,10 @@ fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
         (None, Some((list, span))) => Some(Written::Coefficients(list, span)),
         (None, None) => {
             if !table.has("poles") && !table.has("L") {
-                table.missing("poles", "write `poles = [-1, …]`, one per state, or the polynomial's coefficients `L = [..]`");
+                table.missing(
+                    "poles",
+                    "write `poles = [-1, …]`, one per state, or the polynomial's coefficients `L = [..]`",
+                );
             }
             None
         }
@@ -132,7 +139,9 @@ impl Keys {
                     let message = format!("L_{} must be above 0", i + 1);
                     let error = Diagnostic::error(codes::BAD_NUMBER, list[i].span(), message);
                     let error = error.measured(values[i].to_f64().unwrap_or(f64::NAN));
-                    found.push(error.help("a polynomial without a positive coefficient has roots to the right; write `poles` instead"));
+                    found.push(error.help(
+                        "a polynomial without a positive coefficient has roots to the right; write `poles` instead",
+                    ));
                     return None;
                 }
                 Some(Numbers::Coefficients(values))

@@ -92,7 +92,8 @@ fn deviations(plant: &Plant, model: &Model, steady: &Steady) -> String {
         let unit = if state.label.unit.is_empty() { String::new() } else { format!(" {}", state.label.unit) };
         format!("{} {}{unit}", state.label.name, show(deviation_digits(deviation)))
     });
-    format!("standard deviations for this noise: {}", each.collect::<Vec<_>>().join(", "))
+    let without = if plant.injections.is_empty() { "" } else { ", without what it does through nonlinear terms" };
+    format!("standard deviations for this noise{without}: {}", each.collect::<Vec<_>>().join(", "))
 }
 
 /// Three digits.

@@ -131,7 +131,10 @@ fn fast(plant: &Plant, poles: &[Exact]) -> Vec<Diagnostic> {
         Diagnostic::warning(codes::NOISE, pole.span(), message)
             .label(format!("{} of its time constants per sample", short(pole.size() * h)))
             .measured(pole.size() * h)
-            .help(format!("poles within {} rad/s, or a shorter sample time: faster ones mostly amplify noise", short(1.0 / h)))
+            .help(format!(
+                "poles within {} rad/s, or a shorter sample time: faster ones mostly amplify noise",
+                short(1.0 / h)
+            ))
     };
     fastest.map(warning).into_iter().collect()
 }

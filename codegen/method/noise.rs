@@ -89,7 +89,9 @@ impl Keys {
             found.push(error.help("leave it out: declared bounds are taken as they are"));
         }
         let process = match &self.process {
-            Some(given) => given.check("process_noise", plant.states.len(), "state", plant, found).map(Process::Covariance),
+            Some(given) => {
+                given.check("process_noise", plant.states.len(), "state", plant, found).map(Process::Covariance)
+            }
             None => disturbances(plant, found),
         };
         let measurement = match &self.measurement {
@@ -99,7 +101,8 @@ impl Keys {
             }
             None => bounds(plant, found),
         };
-        let span = |given: &Option<Given>| given.as_ref().map_or_else(|| plant.span.clone(), |given| given.span.clone());
+        let span =
+            |given: &Option<Given>| given.as_ref().map_or_else(|| plant.span.clone(), |given| given.span.clone());
         let spans = [span(&self.process), span(&self.measurement)];
         let model = Model { process: process?, measurement: measurement?, density, spans };
         (found.len() == before).then_some(model)
@@ -215,13 +218,14 @@ impl Model {
             Process::Covariance(rows) => matrix(rows, p),
             Process::Disturbances => disturbed(plant, &matrices, p)?,
         };
-        let measurement = match &self.measurement {
-            Measurement::Covariance(rows) if self.density => matrix(rows, p).map(|density| density / &matrices.h),
-            Measurement::Covariance(rows) => matrix(rows, p),
-            Measurement::Bounds(bounds) => Matrix::from_fn(bounds.len(), bounds.len(), |i, j| {
-                if i == j { uniform(&bounds[i], p) } else { Real::zero(p) }
-            }),
-        };
+        let measurement =
+            match &self.measurement {
+                Measurement::Covariance(rows) if self.density => matrix(rows, p).map(|density| density / &matrices.h),
+                Measurement::Covariance(rows) => matrix(rows, p),
+                Measurement::Bounds(bounds) => Matrix::from_fn(bounds.len(), bounds.len(), |i, j| {
+                    if i == j { uniform(&bounds[i], p) } else { Real::zero(p) }
+                }),
+            };
         Ok(Noise { process, measurement })
     }
 
@@ -273,7 +277,7 @@ impl Model {
                 let error = Diagnostic::error(codes::METHOD_CANNOT, process, message);
                 let names = self.quiet(plant);
                 let error = if names.is_empty() { error } else { error.label(format!("none enters {}", List(&names))) };
-                error.help("give it some, of the size by which it wanders from sample to sample; with none, a filter that never forgets is steady only when it has stopped")
+                error.help("give it some: the variance by which it wanders from sample to sample")
             }
         }]
     }
