@@ -1,6 +1,6 @@
 //! From a law to a settled corrector with its certificate: what every method of this shape does.
 
-use super::certificate::{Errors, Remaining};
+use super::errors::{Errors, Remaining};
 use super::exact::{Exact, Law};
 use super::schedule::Schedule;
 use super::settle::settle;
@@ -107,7 +107,7 @@ fn contracted(plant: &Plant, signals: &[Signal], exact: &Exact, counting: Counti
             let label = format!("a call leaves {} of it in the long run", crate::describe::short(radius));
             return Err(vec![grows(plant, "the estimation error does not die out", radius).label(label)]);
         }
-        let Some((found, _)) = errors.reaches(CONTRACTED, most) else {
+        let Some(found) = errors.reaches(CONTRACTED, most) else {
             let label = format!("more than {most} calls; one leaves {radius} of it in the long run");
             let message = "the estimation error dies out too slowly to be certified";
             return Err(vec![grows(plant, message, radius).label(label)]);
