@@ -13,6 +13,7 @@ pub mod design;
 pub mod diagnostic;
 pub mod emit;
 pub mod expr;
+pub mod implicit_euler;
 pub mod impulsive;
 pub mod method;
 pub mod parameters;
