@@ -29,6 +29,7 @@ pub mod law;
 pub mod lower;
 pub mod schedule;
 pub mod settle;
+pub mod theorem1;
 
 use crate::design::Settled;
 use crate::window::Signal;

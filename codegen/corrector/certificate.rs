@@ -13,7 +13,7 @@
 use super::exact::Exact;
 use super::schedule::Schedule;
 use crate::dense::{
-    Rows as Dense, add, add_magnitudes, dot, frobenius, identity, orthonormalised, outer, product, transposed,
+    Rows as Dense, add, add_magnitudes, dot, frobenius, identity, lower_factor, orthonormalised, product,
 };
 use crate::design::Certificate;
 use crate::plant::Plant;
@@ -281,22 +281,22 @@ impl<'a> Errors<'a> {
         let mut worst = vec![vec![0.0_f64; p]; n];
         let starts = product(&self.to, &self.starts());
         for o in 0..p {
-            let mut covariance = outer(&starts.iter().map(|row| row[o]).collect::<Vec<_>>());
+            // A factor of the covariance, n rows: the covariance itself would lose its small directions to rounding.
+            let mut factor: Dense = starts.iter().map(|row| vec![row[o]]).collect();
             let mut still = 0;
             let mut call = 0;
             let most = valid + 4 * self.gains.cycle.len() + 100_000;
             while still <= self.gains.cycle.len() && call < most {
                 call += 1;
-                let step = self.transition(call);
-                covariance = product(&product(&step, &covariance), &transposed(&step));
-                add(&mut covariance, &outer(&self.gain(call).iter().map(|row| row[o]).collect::<Vec<_>>()));
+                let mut entered = product(&self.transition(call), &factor);
+                entered.iter_mut().zip(self.gain(call)).for_each(|(row, gain)| row.push(gain[o]));
+                factor = lower_factor(&entered);
                 if call < valid {
                     continue;
                 }
-                let states = product(&product(&self.back, &covariance), &transposed(&self.back));
                 still += 1;
-                for i in 0..n {
-                    let deviation = states[i][i].max(0.0).sqrt();
+                for (i, row) in product(&self.back, &factor).iter().enumerate() {
+                    let deviation = dot(row, row).sqrt();
                     if deviation > worst[i][o] * (1.0 + 1e-9) {
                         worst[i][o] = deviation;
                         still = 0;
