@@ -31,6 +31,7 @@ pub mod law;
 pub mod lower;
 pub mod schedule;
 pub mod settle;
+pub mod theorem1;
 
 use crate::design::Settled;
 use crate::window::Signal;
