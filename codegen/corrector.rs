@@ -34,6 +34,7 @@ pub mod placement;
 pub mod riccati;
 pub mod schedule;
 pub mod settle;
+pub mod theorem1;
 
 use crate::design::Settled;
 use crate::window::Signal;
