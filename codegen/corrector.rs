@@ -1,0 +1,3 @@
+//! The shape "predict and correct".
+
+pub mod sliding;
