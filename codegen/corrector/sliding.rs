@@ -20,7 +20,10 @@
 //!
 //! So a number of iterations is enough for every innovation, however large, once it is for that ratio.
 
+mod bound;
 mod step;
+
+pub use bound::Backward;
 
 use crate::design::Settled;
 use crate::program::Scalar;
