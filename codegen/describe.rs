@@ -161,7 +161,17 @@ fn converged(generated: &Generated) -> String {
             step + 1,
             short(radius)
         ),
+        Convergence::Prescribed { left } => format!(
+            "Converged  from call {} ({time} s after the first), when {} of the initial error is left",
+            step + 1,
+            remainder(left)
+        ),
     }
+}
+
+/// A share of an error; below the digits that it was computed with, that.
+pub fn remainder(left: f64) -> String {
+    if left < 1e-12 { "less than 1e-12".into() } else { short(left) }
 }
 
 /// What a call takes, at most and always.

@@ -4,6 +4,7 @@
 //! 2d digits), a certificate, the arithmetic's own record, and the shape that the step will take.
 //! A Design knows no language.
 
+use crate::corrector::{self, Corrector};
 use crate::diagnostic::Diagnostic;
 use crate::expr::Symbol;
 use crate::impulsive::{self, Form, Impulsive};
@@ -71,6 +72,9 @@ pub struct Certificate {
     pub disturbance_gain_l1: Vec<Vec<f64>>,
     /// Per state, for the declared noise and disturbances; `None` where a bound is missing.
     pub error_bound: Vec<Option<f64>>,
+    /// Error left at the promised step per unit of error at the first sample: per state, per state. Empty where nothing
+    /// is left.
+    pub initial_gain: Vec<Vec<f64>>,
 }
 
 /// How the arithmetic went.
@@ -97,6 +101,11 @@ pub enum Convergence {
         radius: f64,
         /// Samples of that period.
         period: usize,
+    },
+    /// At [`Design::valid_from_step`], to what the gains leave of it.
+    Prescribed {
+        /// Of the worst initial error, in the root mean square of what it does to the outputs until then.
+        left: f64,
     },
 }
 
@@ -160,6 +169,8 @@ pub enum Shape {
     Regression(Box<Regression>),
     /// Two copies, reset every N calls.
     Impulsive(Box<Impulsive>),
+    /// Predict and correct.
+    Corrector(Box<Corrector>),
 }
 
 impl Shape {
@@ -168,7 +179,7 @@ impl Shape {
         match self {
             Self::Window(functional) if functional.signals.iter().any(|s| s.part == Part::Curves) => Between::Cubics,
             Self::Impulsive(design) => design.between,
-            Self::Window(_) | Self::Regression(_) => Between::Lines,
+            Self::Window(_) | Self::Regression(_) | Self::Corrector(_) => Between::Lines,
         }
     }
 }
@@ -216,6 +227,7 @@ impl Design {
             Shape::Window(functional) => window::lower::lower(plant, functional),
             Shape::Regression(regression) => regression::lower::lower(plant, regression),
             Shape::Impulsive(design) => impulsive::lower::lower(plant, design),
+            Shape::Corrector(design) => corrector::lower::lower(plant, design),
         }
     }
 }

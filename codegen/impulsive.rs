@@ -15,7 +15,6 @@
 //! [`certificate`] sums up, [`guard`] bounds what may enter, and [`lower`] writes the step.
 
 pub mod certificate;
-mod dense;
 pub mod errors;
 pub mod exact;
 pub mod gain;

@@ -9,6 +9,7 @@
 
 pub mod corrector;
 pub mod decimal;
+mod dense;
 pub mod describe;
 pub mod design;
 pub mod diagnostic;

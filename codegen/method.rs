@@ -3,8 +3,10 @@
 //! A method is one file: what it is, its keys, its design. It reads its own table of the
 //! specification ([`Method::read`]) and gives something that designs ([`Keyed`]).
 
+pub mod countdown;
 pub mod impulsive;
 pub mod parameters;
+pub mod prescribed_time;
 pub mod single_delay;
 pub mod window;
 
@@ -17,7 +19,8 @@ use crate::plant::Plant;
 use crate::spec::reader::Table;
 
 /// All methods, in the order in which `deadbeat list` shows them.
-pub const METHODS: &[Method] = &[window::METHOD, single_delay::METHOD, impulsive::METHOD, parameters::METHOD];
+pub const METHODS: &[Method] =
+    &[window::METHOD, single_delay::METHOD, impulsive::METHOD, parameters::METHOD, prescribed_time::METHOD];
 
 /// What a user can name in `[observer.<name>]`.
 pub struct Method {

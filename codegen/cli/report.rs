@@ -26,9 +26,10 @@ pub fn json(generated: &Generated) -> Value {
     let certificate = &design.certificate;
     let warnings: Vec<Value> =
         generated.report.diagnostics.iter().map(|d| json!({ "code": d.code, "message": d.message })).collect();
-    let (radius, period) = match design.convergence {
-        Convergence::Finite => (0.0, design.window_steps),
-        Convergence::Geometric { radius, period } => (radius, period),
+    let convergence = match design.convergence {
+        Convergence::Finite => json!({ "radius": 0.0, "period": design.window_steps }),
+        Convergence::Geometric { radius, period } => json!({ "radius": radius, "period": period }),
+        Convergence::Prescribed { left } => json!({ "initial_error_left": left }),
     };
     let realizations: Vec<Value> = design.realizations.iter().map(realization).collect();
     json!({
@@ -44,7 +45,7 @@ pub fn json(generated: &Generated) -> Value {
         "sample_time": plant.sample_time_s(),
         "window_steps": design.window_steps,
         "valid_from_step": design.valid_from_step,
-        "convergence": { "radius": radius, "period": period },
+        "convergence": convergence,
         "realizations": realizations,
         "notes": design.notes,
         "modes": modes(plant),
@@ -55,6 +56,7 @@ pub fn json(generated: &Generated) -> Value {
             "noise_gain_l2": certificate.noise_gain_l2,
             "disturbance_gain_l1": certificate.disturbance_gain_l1,
             "error_bound": certificate.error_bound,
+            "initial_gain": certificate.initial_gain,
         },
         "cost": {
             "ram_bytes": cost.ram_bytes,

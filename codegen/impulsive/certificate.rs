@@ -13,9 +13,9 @@ use crate::window::Source;
 use crate::window::certificate::{Kernel, slope};
 
 use super::Calls;
-use super::dense::{Rows, product, sum};
 use super::errors::{ErrorMap, MOST_PERIODS};
 use super::known::{Known, depends_on_outputs};
+use crate::dense::{Rows, product, sum};
 
 /// What is left of a response when it counts as over; gains are that exact.
 const OVER: f64 = 1e-10;
@@ -58,7 +58,7 @@ pub fn certify(plant: &Plant, knowns: &[Known], map: &ErrorMap, calls: &Calls) -
     let through_terms = through_terms(plant, knowns, map, &maps);
     let bound = |i: usize| error_bound(plant, &noise_gain_l1[i], &disturbance_gain_l1[i], through_terms.as_ref(), i);
     let error_bound = (0..n).map(bound).collect();
-    Certificate { noise_gain_l1, noise_gain_l2, disturbance_gain_l1, error_bound }
+    Certificate { noise_gain_l1, noise_gain_l2, disturbance_gain_l1, error_bound, initial_gain: Vec::new() }
 }
 
 /// Per state and column, the largest over the calls of a period.

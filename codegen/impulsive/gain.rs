@@ -14,11 +14,11 @@ use crate::window::coordinates::{Blocks, Coordinates};
 use crate::window::model::Model;
 
 use super::Calls;
-use super::dense::Rows;
 use super::errors::{ErrorMap, spectral_radius};
 use super::exact::{Exact, ExactUpdate, Failure, Pair, pair};
 use super::size::Size;
 use super::weights::Weights;
+use crate::dense::Rows;
 
 /// Bits of what decides.
 const BITS: usize = 512;

@@ -19,8 +19,8 @@ use crate::plant::Plant;
 use crate::program::Scalar;
 use crate::window::lower::guard::{Guard, lost};
 
-use super::dense::{Rows, both, identity, product, sum};
 use super::{Grid, Impulsive, Update};
+use crate::dense::{Rows, both, identity, product, sum};
 
 /// Bounds on what may enter the state, and on what a reset may give.
 #[derive(Debug)]

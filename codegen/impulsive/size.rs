@@ -3,7 +3,7 @@
 use crate::real::{Matrix, Real, inverse};
 use crate::window::coordinates::Blocks;
 
-use super::dense::{Rows, both, identity, product};
+use crate::dense::{Rows, both, identity, product};
 
 /// What is large and what is small for a plant, whatever its units.
 pub struct Size {

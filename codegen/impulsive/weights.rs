@@ -3,8 +3,8 @@
 use crate::real::Matrix;
 use crate::window::coordinates::Blocks;
 
-use super::dense::{Rows, both, identity, product, sum};
 use super::exact::Pair;
+use crate::dense::{Rows, both, identity, product, sum};
 
 /// What a sample's noise does to the copies and the reset, in doubles: they decide, and are in no constant.
 pub(super) struct Weights {

@@ -263,6 +263,7 @@ pub fn certify(plant: &Plant, irregular: &Irregular, exact: &super::solve::Exact
         noise_gain_l2: zeros(plant.outputs.len()),
         disturbance_gain_l1: zeros(plant.disturbances.len()),
         error_bound: Vec::new(),
+        initial_gain: Vec::new(),
     };
     for phase in 0..most {
         let weights = irregular.weights(&|age| age % most == phase)?;

@@ -1,0 +1,116 @@
+//! From a law to a settled corrector with its certificate: what every method of this shape does.
+
+use super::certificate::{Errors, Remaining};
+use super::exact::{Exact, Law};
+use super::schedule::Schedule;
+use super::settle::settle;
+use super::{Corrector, Counting};
+use crate::design::{CONTRACTED, Certificate, Convergence, Numerics};
+use crate::diagnostic::{Diagnostic, codes};
+use crate::plant::Plant;
+use crate::real::{Matrix, Precision};
+use crate::window::Signal;
+use crate::window::model::Model;
+
+/// When the estimate counts as converged.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Promise {
+    /// At this call from the first sample on.
+    At(usize),
+    /// When [`CONTRACTED`] of the initial error is left.
+    Contracted,
+}
+
+/// What a method asks for.
+pub struct Request<'a> {
+    /// The plant.
+    pub plant: &'a Plant,
+    /// What is known besides the outputs.
+    pub signals: Vec<Signal>,
+    /// The countdown.
+    pub counting: Counting,
+    /// Whether the step carries the chain's scaled coordinates.
+    pub scaled: bool,
+    /// When it has converged.
+    pub promise: Promise,
+    /// The sampled plant at one precision, where it is not the exact one.
+    pub model: &'a dyn Fn(Precision) -> Result<Model, Vec<Diagnostic>>,
+    /// The law, and the gain after a handover, at one precision.
+    pub law: &'a dyn Fn(&Model, Precision) -> Result<(Law, Option<Matrix>), Vec<Diagnostic>>,
+}
+
+/// What comes of it.
+pub struct Built {
+    /// Settled.
+    pub corrector: Corrector,
+    /// At the last precision.
+    pub exact: Exact,
+    /// K of every call.
+    pub schedule: Schedule,
+    /// From the promised call on.
+    pub certificate: Certificate,
+    /// How the arithmetic went.
+    pub numerics: Numerics,
+    /// How it comes to its bound.
+    pub convergence: Convergence,
+    /// What is left of an initial error at the promised call.
+    pub remaining: Remaining,
+}
+
+/// The longest a convergence may take, in calls.
+const MOST_CALLS: usize = 1_000_000;
+
+/// Designs, rounds and certifies.
+///
+/// # Errors
+/// What the model and the law report, and constants that do not settle; a gain whose error does not die out.
+pub fn build(request: &Request) -> Result<Built, Vec<Diagnostic>> {
+    let (plant, counting) = (request.plant, request.counting);
+    let run = |p: Precision| {
+        let model = (request.model)(p)?;
+        let law = (request.law)(&model, p)?;
+        Exact::new(plant, model, law, request.scaled, p)
+    };
+    let (mut corrector, exact, numerics) = settle(plant, &request.signals, counting, &run)?;
+    let valid = match request.promise {
+        Promise::At(call) => call,
+        Promise::Contracted => contracted(plant, &request.signals, &exact, counting)?,
+    };
+    corrector.valid = valid;
+    let schedule = Schedule::new(&exact, counting, valid);
+    let errors = Errors::new(plant, &request.signals, &exact, &schedule).ok_or_else(|| unobservable(plant))?;
+    let remaining = errors.remaining(valid);
+    let certificate = errors.certify(valid);
+    let convergence = match request.promise {
+        Promise::At(_) => Convergence::Prescribed { left: remaining.share },
+        Promise::Contracted => Convergence::Geometric { radius: errors.radius(), period: 1 },
+    };
+    Ok(Built { corrector, exact, schedule, certificate, numerics, convergence, remaining })
+}
+
+/// The call at which a constant gain has made the initial error small enough.
+fn contracted(plant: &Plant, signals: &[Signal], exact: &Exact, counting: Counting) -> Result<usize, Vec<Diagnostic>> {
+    let schedule = Schedule::new(exact, counting, 0);
+    let errors = Errors::new(plant, signals, exact, &schedule).ok_or_else(|| unobservable(plant))?;
+    let radius = errors.radius();
+    let most = MOST_CALLS / plant.states.len().pow(3).max(1);
+    let found = if radius < 1.0 { errors.reaches(CONTRACTED, most) } else { None };
+    found.map(|(call, _)| call).ok_or_else(|| {
+        let message = "the estimation error does not die out";
+        let error = Diagnostic::error(codes::METHOD_CANNOT, plant.span.clone(), message).measured(radius);
+        let label = format!("a call leaves {} of it in the long run", crate::describe::short(radius));
+        vec![error.label(label).help("a larger gain, faster poles, or process noise on the slow states")]
+    })
+}
+
+fn unobservable(plant: &Plant) -> Vec<Diagnostic> {
+    let message = "the outputs do not show every state";
+    vec![Diagnostic::error(codes::UNOBSERVABLE, plant.span.clone(), message).help("measure more of the plant")]
+}
+
+/// Why a plant has no M and q.
+pub fn no_chain(plant: &Plant, why: &str) -> Vec<Diagnostic> {
+    let message = "the sampled plant cannot be run backwards, or its output does not show every state";
+    let error = Diagnostic::error(codes::METHOD_CANNOT, plant.span.clone(), message).label(why.to_owned());
+    vec![error.help("leave states that vanish within a sample out of the model, or use the method `window`")]
+}

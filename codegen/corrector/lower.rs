@@ -1,0 +1,290 @@
+//! A corrector as a Program.
+//!
+//! One step: look at the samples, predict the state, evaluate what depends on the samples of now, correct by the
+//! innovation, and say how good the estimate is. All of it is branch-free.
+//!
+//! **Start.** The first call with a good sample of every output takes the state from it: what it shows, and `initial`
+//! for the rest. The k-th good call after it has r = N - k steps left.
+//!
+//! **Missing samples.** Without a good sample nothing is corrected, and the countdown waits: the deadline moves by the
+//! calls without one. The estimate is `Coasting` until as many good calls in a row as the first convergence took. A
+//! state beyond the floats' guard starts the observer again.
+
+mod gain;
+mod known;
+
+use crate::design::Settled;
+use crate::diagnostic::Diagnostic;
+use crate::plant::Plant;
+use crate::program::builder::Builder;
+use crate::program::{CellId, Program, Status, Value};
+use crate::window::lower::guard::Guard;
+use crate::window::lower::report::start;
+use crate::window::lower::{field, injections};
+
+use super::{Corrector, Frame, guard};
+
+/// Lowers a design for its plant; constants that the target's floats cannot hold are reported.
+///
+/// # Errors
+/// What the guard or the injections' constants report.
+pub fn lower(plant: &Plant, design: &Corrector) -> Result<Program, Vec<Diagnostic>> {
+    let guard = guard::bound(plant, design)?;
+    injections::check(plant)?;
+    let mut builder = Builder::new(&plant.name, plant.scalar, injections::round(&plant.sample_time.0, plant.scalar));
+    let cells = Cells::declare(&mut builder, plant, design);
+    for output in &plant.outputs {
+        builder.measurement(field(&output.label.name, &output.label.unit, &output.label.doc));
+    }
+    for input in &plant.inputs {
+        builder.input(field(&input.label.name, &input.label.unit, &input.label.doc));
+    }
+    let mut lowering = Lowering { plant, design, guard, builder, cells };
+    lowering.step();
+    Ok(lowering.builder.finish())
+}
+
+/// The state of a corrector.
+struct Cells {
+    /// n.
+    state: Vec<CellId>,
+    /// Calls of the countdown that are left.
+    left: CellId,
+    /// Good calls, at most one more than convergence takes.
+    good: CellId,
+    /// Good calls in a row, likewise.
+    clean: CellId,
+    /// Per output: the last value that stood for a sample.
+    outputs: Vec<CellId>,
+    /// Per signal: its value at the last call.
+    signals: Vec<CellId>,
+    /// Per input: the last good value.
+    inputs: Vec<CellId>,
+    /// Calls since init.
+    calls: CellId,
+}
+
+impl Cells {
+    fn declare(b: &mut Builder, plant: &Plant, design: &Corrector) -> Self {
+        let scaled = matches!(design.frame, Frame::Chain { .. });
+        let initial = |i: usize| injections::round(&plant.states[i].initial, plant.scalar);
+        let state = (0..plant.states.len()).map(|i| {
+            let label = &plant.states[i].label;
+            if scaled {
+                let doc = format!("{} in the units of {}", ordinal(i), plant.outputs[0].label.name);
+                return b.float_cell(&format!("xi{}", i + 1), &doc, 0.0);
+            }
+            b.float_cell(&label.name, &format!("{} as last estimated", label.name), initial(i))
+        });
+        let state = state.collect();
+        let lead = calls(design.counting.lead());
+        let left = b.index_cell("left", "calls of the countdown that are left", lead);
+        let good = b.index_cell("good", "good calls, until there are enough", 0);
+        let clean = b.index_cell("clean", "good calls in a row, until there are enough", 0);
+        let outputs = plant.outputs.iter().enumerate().map(|(o, output)| {
+            let name = &output.label.name;
+            let initial = injections::initial_output(plant, o, plant.scalar);
+            b.float_cell(&format!("last_{name}"), &format!("the last {name}, measured or predicted"), initial)
+        });
+        let outputs = outputs.collect();
+        let signals = (0..design.signals.len()).map(|s| {
+            b.float_cell(&format!("last_known{s}"), &format!("{} of the last call", design.signals[s].text), 0.0)
+        });
+        let signals = signals.collect();
+        let inputs = plant.inputs.iter();
+        let inputs = inputs
+            .map(|input| b.float_cell(&format!("last_{}", input.label.name), "the last good value", 0.0))
+            .collect();
+        let calls = b.index_cell("calls", "calls since init", 0);
+        Self { state, left, good, clean, outputs, signals, inputs, calls }
+    }
+}
+
+/// A scaled derivative in words.
+fn ordinal(i: usize) -> String {
+    match i {
+        0 => "the signal".to_owned(),
+        _ => format!("the sample time to the power {i} times derivative {i}, in implicit Euler's coordinates,"),
+    }
+}
+
+/// A number of calls as a Program has it.
+fn calls(count: usize) -> u32 {
+    u32::try_from(count).unwrap_or_else(|_| unreachable!("the prescribed time is bounded"))
+}
+
+struct Lowering<'a> {
+    plant: &'a Plant,
+    design: &'a Corrector,
+    guard: Guard,
+    builder: Builder,
+    cells: Cells,
+}
+
+/// What is known of a call before it is corrected.
+struct Predicted {
+    /// Per output: the sample, or a prediction of it.
+    outputs: Vec<Value>,
+    /// Per output: whether there is a sample.
+    good: Vec<Value>,
+    /// Whether there is one of every output.
+    measured: Value,
+    /// Whether everything was good.
+    fine: Value,
+    /// z-, n.
+    state: Vec<Value>,
+}
+
+impl Lowering<'_> {
+    fn step(&mut self) {
+        let predicted = self.predict();
+        self.builder.section("correction by the innovation");
+        let innovation = self.innovation(&predicted);
+        let (corrections, left) = self.correct(&innovation, predicted.measured);
+        let corrected: Vec<Value> =
+            predicted.state.iter().zip(corrections).map(|(x, more)| self.builder.add(*x, more)).collect();
+        self.builder.section("the first sample starts the observer; so does a state beyond all bounds");
+        let again = self.starts_again(&corrected);
+        let state = self.store(&predicted, &corrected, (again, left));
+        let counts = self.count(&predicted, again);
+        self.report(&state, counts);
+    }
+
+    fn constant(&mut self, value: Settled) -> Value {
+        self.builder.float(value.value(self.plant.scalar))
+    }
+
+    /// Adds weights times values to the terms of a sum.
+    fn push_products(&mut self, terms: &mut Vec<Value>, weights: &[Option<Settled>], values: &[Value]) {
+        for (weight, value) in weights.iter().zip(values) {
+            if let Some(weight) = weight {
+                let weight = self.constant(*weight);
+                terms.push(self.builder.mul(weight, *value));
+            }
+        }
+    }
+
+    /// Weights times values.
+    fn products(&mut self, grid: &[Vec<Option<Settled>>], values: &[Value]) -> Vec<Value> {
+        let rows = grid.iter().map(|row| {
+            let mut terms = Vec::new();
+            self.push_products(&mut terms, row, values);
+            self.builder.sum(&terms)
+        });
+        rows.collect()
+    }
+
+    /// y - C z-, and 0 where there is no sample; per output.
+    fn innovation(&mut self, predicted: &Predicted) -> Vec<Value> {
+        let design = self.design;
+        let shown = match design.frame {
+            Frame::Plant { .. } => self.products(&design.output, &predicted.state),
+            Frame::Chain { .. } => vec![predicted.state[0]],
+        };
+        let none = self.builder.float(0.0);
+        let each = shown.iter().enumerate().map(|(o, shown)| {
+            let difference = self.builder.sub(predicted.outputs[o], *shown);
+            self.builder.select(predicted.good[o], difference, none)
+        });
+        each.collect()
+    }
+
+    /// Whether the observer has no state yet, or one that nothing reasonable leads to.
+    fn starts_again(&mut self, corrected: &[Value]) -> Value {
+        let bound = self.guard.bound;
+        let none = self.builder.index(0);
+        let good = self.builder.read(self.cells.good);
+        let mut again = self.builder.index_equal(good, none);
+        for value in corrected {
+            let sane = self.builder.in_range(*value, -bound, bound);
+            let wild = self.builder.not(sane);
+            again = self.builder.or(again, wild);
+        }
+        again
+    }
+
+    /// The state after this call: corrected, or the start.
+    fn store(
+        &mut self,
+        predicted: &Predicted,
+        corrected: &[Value],
+        (again, left): (Value, Option<Value>),
+    ) -> Vec<Value> {
+        let (starts, rests) = (self.starts(&predicted.outputs), self.rests());
+        let mut state = Vec::new();
+        for (i, value) in corrected.iter().enumerate() {
+            let start = self.builder.select(predicted.measured, starts[i], rests[i]);
+            let value = self.builder.select(again, start, *value);
+            self.builder.set(self.cells.state[i], value);
+            state.push(value);
+        }
+        if let Some(left) = left {
+            let lead = self.builder.index(calls(self.design.counting.lead()));
+            let left = self.builder.select(again, lead, left);
+            self.builder.set(self.cells.left, left);
+        }
+        state
+    }
+
+    /// Counts the good calls since the start, and those in a row.
+    fn count(&mut self, predicted: &Predicted, again: Value) -> [Value; 2] {
+        let (none, one) = (self.builder.index(0), self.builder.index(1));
+        let most = calls(self.design.valid + 1);
+        let first = self.builder.select(predicted.measured, one, none);
+        let good = self.builder.read(self.cells.good);
+        let more = self.builder.count_up(good, most);
+        let good = self.builder.select(predicted.measured, more, good);
+        let good = self.builder.select(again, first, good);
+        self.builder.set(self.cells.good, good);
+        let clean = self.builder.read(self.cells.clean);
+        let more = self.builder.count_up(clean, most);
+        let clean = self.builder.select(predicted.fine, more, none);
+        let clean = self.builder.select(again, first, clean);
+        self.builder.set(self.cells.clean, clean);
+        let calls = self.builder.read(self.cells.calls);
+        let calls = self.builder.count_up(calls, u32::MAX);
+        self.builder.set(self.cells.calls, calls);
+        [good, clean]
+    }
+
+    /// The state from a first sample, per state.
+    fn starts(&mut self, outputs: &[Value]) -> Vec<Value> {
+        if let Frame::Chain { .. } = self.design.frame {
+            let rests = self.rests();
+            return (0..rests.len())
+                .map(|i| if i == 0 { self.builder.add(rests[0], outputs[0]) } else { rests[i] })
+                .collect();
+        }
+        (0..self.plant.states.len()).map(|i| start(&mut self.builder, self.plant, i, outputs)).collect()
+    }
+
+    /// The state without a sample, per state.
+    fn rests(&mut self) -> Vec<Value> {
+        let design = self.design;
+        if let Frame::Chain { start, .. } = &design.frame {
+            return start.iter().map(|entry| self.constant(entry.unwrap_or_default())).collect();
+        }
+        let initial = self.plant.states.iter().map(|state| injections::round(&state.initial, self.plant.scalar));
+        initial.collect::<Vec<_>>().into_iter().map(|value| self.builder.float(value)).collect()
+    }
+
+    /// The estimate, and what it is worth.
+    fn report(&mut self, state: &[Value], [good, clean]: [Value; 2]) {
+        self.builder.section("the estimate");
+        let design = self.design;
+        let estimate = match &design.frame {
+            Frame::Plant { .. } => state.to_vec(),
+            Frame::Chain { readout, .. } => self.products(readout, state),
+        };
+        for (state, value) in self.plant.states.iter().zip(estimate) {
+            self.builder.estimate(field(&state.label.name, &state.label.unit, &state.label.doc), value);
+        }
+        let [converged, coasting, converging] =
+            [Status::Converged, Status::Coasting, Status::Converging].map(|status| self.builder.status(status));
+        let enough = self.builder.index(calls(design.valid));
+        let (known, undisturbed) = (self.builder.index_less(enough, good), self.builder.index_less(enough, clean));
+        let working = self.builder.select(undisturbed, converged, coasting);
+        let status = self.builder.select(known, working, converging);
+        self.builder.report(status);
+    }
+}

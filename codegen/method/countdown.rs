@@ -1,0 +1,407 @@
+//! The keys of methods that count down to a prescribed time: the gain laws of 003 and 004, and what follows.
+
+use std::ops::Range;
+
+use crate::corrector::law;
+use crate::corrector::{After, Counting};
+use crate::decimal::show;
+use crate::diagnostic::{Diagnostic, codes};
+use crate::expr::{Constant, List};
+use crate::plant::Plant;
+use crate::program::Scalar;
+use crate::real::{Precision, Rational, Real};
+use crate::spec::Quantity;
+use crate::spec::reader::Table;
+use crate::window::{count, whole_samples};
+
+/// Rows of the keys' table that all countdowns share.
+pub const TIME: (&str, &str, &str) =
+    ("time", "s", "T, a whole number of samples from the first one on: the countdown's end");
+/// 003's gains.
+pub const EFIMOV_ORLOV: (&str, &str, &str) =
+    ("efimov-orlov", "{ L = [n numbers] }", "003 (4): gains L_i (T/(T-t))^i; L_i in 1/s^i, above 0");
+/// 004's gains.
+pub const HOLLOWAY_KRSTIC: (&str, &str, &str) = (
+    "holloway-krstic",
+    "{ m, l = [n numbers] }",
+    "004 (22), (23): m >= 1, l the coefficients of a stable polynomial, l_i in 1/s^i; all 0 by default",
+);
+/// One number.
+pub const POLES: (&str, &str, &str) =
+    ("poles", "{ p }", "all poles of A - L C at -p/T: L_i = C(n,i) (p/T)^i; the default, with p = 10");
+/// What follows the countdown.
+pub const AFTER: (&str, &str, &str) = (
+    "after",
+    "\"hold\" | \"restart\" | \"handover\"",
+    "the last gain stays, the countdown starts again (003 (21)), or a steady Kalman gain takes over",
+);
+/// Where it ends.
+pub const STOP_BEFORE: (&str, &str, &str) =
+    ("stop_before", "steps", "the fewest steps left; N/10 by default, N/5 for a restart");
+/// 004's way to say it.
+pub const MAX_GAIN: (&str, &str, &str) =
+    ("max_gain", "1/s^i", "instead of `stop_before`: the largest g_i, as 004 limits them (after Theorem 1)");
+
+/// A gain law as written.
+#[derive(Clone, Debug)]
+pub enum LawKeys {
+    /// 003.
+    EfimovOrlov(Vec<Quantity>, Range<usize>),
+    /// 004.
+    HollowayKrstic(usize, Option<Vec<Quantity>>, Range<usize>),
+    /// All poles at -p/T.
+    Poles(Quantity),
+}
+
+/// What all countdowns read.
+#[derive(Clone, Debug)]
+pub struct Keys {
+    /// T.
+    pub time: Quantity,
+    /// The law; `None` for the default.
+    pub law: Option<LawKeys>,
+    /// What follows.
+    pub after: (After, Range<usize>),
+    /// Steps, with their place.
+    pub stop_before: Option<(usize, Range<usize>)>,
+    /// The largest g_i.
+    pub max_gain: Option<Quantity>,
+}
+
+/// Reads the keys; `handover` says whether there is a gain to hand over to.
+pub fn read(table: &mut Table) -> Option<Keys> {
+    let time = table.quantity("time");
+    if time.is_none() && !table.has("time") {
+        table.missing("time", "write `time = …`, the seconds from the first sample to the prescribed time");
+    }
+    let law = read_law(table);
+    let words = [("hold", After::Hold), ("restart", After::Restart), ("handover", After::Handover)];
+    let after = (table.choice("after", &words, After::Hold), table.key_span("after"));
+    let stop_before = steps(table, "stop_before");
+    let max_gain = table.quantity("max_gain");
+    if let (Some((_, span)), Some(gain)) = (&stop_before, &max_gain) {
+        let message = "`stop_before` and `max_gain` say the same thing twice";
+        let error = Diagnostic::error(codes::BAD_COMBINATION, gain.span(), message);
+        table.report(error.context(span.clone(), "the other").help("leave one of them out"));
+    }
+    Some(Keys { time: time?, law: law?, after, stop_before, max_gain })
+}
+
+/// The one law of a table; `Some(None)` where there is none.
+fn read_law(table: &mut Table) -> Option<Option<LawKeys>> {
+    let mut laws = Vec::new();
+    if let Some(mut keys) = table.table("efimov-orlov", "`efimov-orlov`") {
+        let list = keys.list("L");
+        if list.is_none() && !keys.has("L") {
+            keys.missing("L", "write `L = [..]`, one gain per state");
+        }
+        keys.finish();
+        let span = table.key_span("efimov-orlov");
+        laws.push((list.map(|(list, place)| LawKeys::EfimovOrlov(list, place)), span));
+    }
+    if let Some(mut keys) = table.table("holloway-krstic", "`holloway-krstic`") {
+        let m = steps(&mut keys, "m");
+        if m.is_none() && !keys.has("m") {
+            keys.missing("m", "write `m = 1`, or more for a faster decay at the end");
+        }
+        let l = keys.list("l");
+        let span = keys.key_span("l");
+        keys.finish();
+        let law = m.map(|(m, _)| LawKeys::HollowayKrstic(m, l.map(|(l, _)| l), span));
+        laws.push((law, table.key_span("holloway-krstic")));
+    }
+    if let Some(mut keys) = table.table("poles", "`poles`") {
+        let p = keys.quantity("p");
+        if p.is_none() && !keys.has("p") {
+            keys.missing("p", "write `p = 10`: the poles lie at -p/T");
+        }
+        keys.finish();
+        laws.push((p.map(LawKeys::Poles), table.key_span("poles")));
+    }
+    if let [(_, first), (_, second), ..] = laws.as_slice() {
+        let error = Diagnostic::error(codes::BAD_COMBINATION, second.clone(), "an observer has one gain law");
+        table.report(error.context(first.clone(), "the other").help("leave one of them out"));
+        return None;
+    }
+    match laws.pop() {
+        Some((law, _)) => law.map(Some),
+        None => Some(None),
+    }
+}
+
+/// A number of steps, if the key is there.
+fn steps(table: &mut Table, key: &str) -> Option<(usize, Range<usize>)> {
+    let (number, span) = table.whole(key)?;
+    match usize::try_from(number.numerator().clone()) {
+        Ok(steps @ ..=1_000_000) => Some((steps, span)),
+        _ => {
+            let message = format!("`{key}` must be a whole number from 0 to 1000000");
+            table.report(Diagnostic::error(codes::BAD_NUMBER, span, message));
+            None
+        }
+    }
+}
+
+/// A law with its numbers.
+#[derive(Clone, Debug)]
+pub enum Numbers {
+    /// L, T.
+    EfimovOrlov(Vec<Constant>),
+    /// m, l.
+    HollowayKrstic(usize, Vec<Constant>),
+    /// p.
+    Poles(Constant),
+}
+
+/// A countdown with its numbers.
+#[derive(Clone, Debug)]
+pub struct Countdown {
+    /// N, where it stops, what follows.
+    pub counting: Counting,
+    /// T.
+    pub time: Constant,
+    /// The law.
+    pub numbers: Numbers,
+    /// n.
+    pub order: usize,
+}
+
+impl Countdown {
+    /// The numbers of the keys for a plant; mistakes are collected.
+    pub fn new(plant: &Plant, keys: &Keys, found: &mut Vec<Diagnostic>) -> Option<Self> {
+        let order = plant.states.len();
+        let span = keys.time.span();
+        let numbers = numbers(plant, keys, order, found);
+        let time = plant.constant(&keys.time, found)?;
+        let seconds = time.to_f64().unwrap_or(f64::NAN);
+        if seconds <= 0.0 || !seconds.is_finite() {
+            let message = format!("the prescribed time must be above 0 s, not {}", show(seconds));
+            let error = Diagnostic::error(codes::BAD_NUMBER, span, message).measured(seconds);
+            found.push(error.help("write the seconds from the first sample to the prescribed time"));
+            return None;
+        }
+        let steps = whole_samples(&time, &span, "the prescribed time", plant, found)?;
+        if steps < order {
+            let message = "the prescribed time is too short to show every state";
+            let error = Diagnostic::error(codes::WINDOW_TOO_SHORT, span, message).measured(count(steps));
+            let label = format!("{steps} samples after the first, for {order} states");
+            let least = show(count(order) * plant.sample_time_s());
+            found.push(error.label(label).help(format!("a time of at least {least} s")));
+            return None;
+        }
+        let numbers = numbers?;
+        let mut countdown = Self { counting: Counting { steps, stop: 0, after: keys.after.0 }, time, numbers, order };
+        countdown.counting.stop = countdown.stop(plant, keys, found)?;
+        countdown.check_exponents(plant, keys, found);
+        Some(countdown)
+    }
+
+    /// `r^n c_i` by powers of r, at one precision; `None` where a constant has no value.
+    pub fn rows(&self, plant: &Plant, precision: Precision) -> Option<law::Rows> {
+        let value = |constant: &Constant| constant.evaluate(precision).ok();
+        Some(match &self.numbers {
+            Numbers::EfimovOrlov(gains) => {
+                let gains: Option<Vec<Real>> = gains.iter().map(value).collect();
+                law::efimov_orlov(&gains?, &value(&self.time)?)
+            }
+            Numbers::HollowayKrstic(m, l) => {
+                let l: Option<Vec<Real>> = l.iter().map(value).collect();
+                law::holloway_krstic(*m, &l?, &value(&plant.sample_time.0)?)
+            }
+            Numbers::Poles(p) => law::poles(self.order, &value(p)?),
+        })
+    }
+
+    /// In doubles, for decisions and reports.
+    pub fn doubles(&self, plant: &Plant) -> Option<Vec<Vec<f64>>> {
+        let rows = self.rows(plant, Precision::bits(256))?;
+        Some(rows.iter().map(|row| row.iter().map(Real::to_f64).collect()).collect())
+    }
+
+    /// The fewest steps left.
+    fn stop(&self, plant: &Plant, keys: &Keys, found: &mut Vec<Diagnostic>) -> Option<usize> {
+        let steps = self.counting.steps;
+        if let Some(gain) = &keys.max_gain {
+            return self.stop_at(plant, gain, found);
+        }
+        let Some((stop, span)) = &keys.stop_before else {
+            let share = if self.counting.after == After::Restart { 5 } else { 10 };
+            return Some(steps.div_ceil(share));
+        };
+        if *stop >= steps {
+            let message = "the countdown ends before it begins";
+            let error = Diagnostic::error(codes::BAD_NUMBER, span.clone(), message).measured(count(*stop));
+            let label = format!("{stop} steps left of {steps}");
+            found.push(error.label(label).help(format!("at most {}", steps - 1)));
+            return None;
+        }
+        if *stop == 0 && self.counting.after == After::Restart {
+            let message = "a restart cannot come from the prescribed time itself";
+            let error = Diagnostic::error(codes::METHOD_CANNOT, span.clone(), message);
+            let label = "backward differences, whose noise the low gains after them keep";
+            found.push(error.label(label).help("`stop_before = 1` is 003 (21); N/5 and more carries less noise over"));
+            return None;
+        }
+        Some(*stop)
+    }
+
+    /// Where the largest gain reaches 004's limit: the fewest steps left at which no `g_i = c_i/h^i` is above it.
+    fn stop_at(&self, plant: &Plant, limit: &Quantity, found: &mut Vec<Diagnostic>) -> Option<usize> {
+        let most = plant.constant(limit, found)?.to_f64().unwrap_or(f64::NAN);
+        let rows = self.doubles(plant)?;
+        let h = plant.sample_time_s();
+        let gain = |left: usize| {
+            let r = count(left);
+            let value = |(i, row): (usize, &Vec<f64>)| {
+                let terms = row.iter().enumerate().map(|(j, a)| a * power(r, j) / power(r, self.order));
+                terms.sum::<f64>() / power(h, i + 1)
+            };
+            rows.iter().enumerate().map(value).fold(0.0, f64::max)
+        };
+        let steps = self.counting.steps;
+        let stop = (1..steps).rev().take_while(|left| gain(*left) <= most).last();
+        if stop.is_none() {
+            let first = gain(steps - 1);
+            let message = "the first gain is above `max_gain` already";
+            let error = Diagnostic::error(codes::BAD_NUMBER, limit.span(), message).measured(first);
+            found.push(error.label(format!("{first:.3e} is needed")).help("a larger `max_gain`, or a longer `time`"));
+        }
+        stop
+    }
+
+    /// Refuses gains with which the error does not vanish at T: 003's exponents, exactly.
+    fn check_exponents(&self, plant: &Plant, keys: &Keys, found: &mut Vec<Diagnostic>) {
+        let Some(margin) = self.margin(plant) else { return };
+        let needed = count(self.order - 1);
+        if margin > needed {
+            return;
+        }
+        let span = match &keys.law {
+            Some(LawKeys::EfimovOrlov(_, span) | LawKeys::HollowayKrstic(_, _, span)) => span.clone(),
+            Some(LawKeys::Poles(p)) => p.span(),
+            None => plant.span.clone(),
+        };
+        let message = "with these gains the error does not vanish at the prescribed time";
+        let error = Diagnostic::error(codes::METHOD_CANNOT, span, message).measured(margin);
+        let label =
+            format!("it falls by (T-t)^{}, and its last derivative grows by {needed} of that", show_short(margin));
+        found.push(error.label(label).help("larger gains, a longer `time`, or `poles = { p = 10 }`"));
+    }
+
+    /// The exponent of the slowest decay of the scaled error: `-max Re eig(A - Lambda C - diag(0, …, n-1))`, with
+    /// `Lambda_i = L_i T^i`; it must be above n - 1 (prescribed-time-observers, section 1: exact, where 003's
+    /// T > 2n - 2 is only sufficient).
+    pub fn margin(&self, plant: &Plant) -> Option<f64> {
+        let rows = self.doubles(plant)?;
+        let n = self.order;
+        let matrix = nalgebra::DMatrix::from_fn(n, n, |i, j| {
+            let shift = f64::from(u8::from(j == i + 1));
+            let gain = if j == 0 { rows[i][n - 1 - i] } else { 0.0 };
+            let scaling = if i == j { count(i) } else { 0.0 };
+            shift - gain - scaling
+        });
+        let slowest = matrix.complex_eigenvalues().iter().map(|z| z.re).fold(f64::NEG_INFINITY, f64::max);
+        Some(-slowest)
+    }
+
+    /// What the user should know of where the countdown ends.
+    pub fn warnings(&self, plant: &Plant, keys: &Keys, largest_gain: f64) -> Vec<Diagnostic> {
+        let Counting { steps, stop, after } = self.counting;
+        let span = keys.stop_before.as_ref().map_or_else(|| plant.span.clone(), |(_, span)| span.clone());
+        let mut warnings = Vec::new();
+        if stop == 0 && plant.scalar == Scalar::F32 {
+            let floor = f64::from(f32::EPSILON) * largest_gain;
+            let message = "at r = 0 the rounding of the samples is all that single precision shows";
+            let warning = Diagnostic::warning(codes::NOISE, span.clone(), message).measured(floor);
+            let label = format!("a sample of 1 {} is worth {floor:.1e} in a state", plant.outputs[0].label.unit);
+            let help = format!("`stop_before = {}`, or `scalar = \"f64\"`", steps.div_ceil(10));
+            warnings.push(warning.label(label).help(help));
+        }
+        if after == After::Restart && 5 * stop < steps {
+            let message = "a restart this close to the prescribed time carries its noise into the next round";
+            let warning = Diagnostic::warning(codes::NOISE, span, message).measured(count(stop));
+            let label = format!("{stop} of {steps} steps left");
+            let help = format!("`stop_before = {}` or more; compare the noise gains", steps.div_ceil(5));
+            warnings.push(warning.label(label).help(help));
+        }
+        warnings
+    }
+}
+
+fn show_short(value: f64) -> String {
+    crate::describe::short(value)
+}
+
+/// An integer power.
+fn power(x: f64, n: usize) -> f64 {
+    (0..n).fold(1.0, |product, _| product * x)
+}
+
+fn numbers(plant: &Plant, keys: &Keys, order: usize, found: &mut Vec<Diagnostic>) -> Option<Numbers> {
+    match &keys.law {
+        None => Some(Numbers::Poles(Constant::from(Rational::from(10)))),
+        Some(LawKeys::Poles(p)) => {
+            let value = plant.constant(p, found)?;
+            positive(&value, "p", &p.span(), found).then_some(Numbers::Poles(value))
+        }
+        Some(LawKeys::EfimovOrlov(list, span)) => {
+            let values = listed(plant, list, span, ("L", order), found)?;
+            let above = values.iter().enumerate().all(|(i, v)| positive(v, &format!("L_{}", i + 1), span, found));
+            above.then_some(Numbers::EfimovOrlov(values))
+        }
+        Some(LawKeys::HollowayKrstic(m, list, span)) => {
+            let values = match list {
+                None => vec![Constant::default(); order],
+                Some(list) => listed(plant, list, span, ("l", order), found)?,
+            };
+            if *m == 0 {
+                let error = Diagnostic::error(codes::BAD_NUMBER, span.clone(), "`m` must be at least 1").measured(0.0);
+                found.push(error.help("write `m = 1`"));
+                return None;
+            }
+            let below = values.iter().position(|v| v.to_f64().unwrap_or(f64::NAN) < 0.0);
+            if let Some(i) = below {
+                let message = format!("l_{} must not be below 0", i + 1);
+                let number = values[i].to_f64().unwrap_or(f64::NAN);
+                let error = Diagnostic::error(codes::BAD_NUMBER, span.clone(), message).measured(number);
+                found.push(
+                    error.help("take the coefficients of a polynomial with all roots to the left, such as [2, 1]"),
+                );
+                return None;
+            }
+            Some(Numbers::HollowayKrstic(*m, values))
+        }
+    }
+}
+
+fn positive(value: &Constant, name: &str, span: &Range<usize>, found: &mut Vec<Diagnostic>) -> bool {
+    let number = value.to_f64().unwrap_or(f64::NAN);
+    if number > 0.0 {
+        return true;
+    }
+    let message = format!("{name} must be above 0, not {}", show(number));
+    let error = Diagnostic::error(codes::BAD_NUMBER, span.clone(), message).measured(number);
+    let label = "without it the gains' denominator may vanish";
+    found.push(error.label(label).help("take gains whose poles lie to the left, such as `poles = { p = 10 }`"));
+    false
+}
+
+/// As many numbers as there are states.
+pub fn listed(
+    plant: &Plant,
+    list: &[Quantity],
+    span: &Range<usize>,
+    (name, wanted): (&str, usize),
+    found: &mut Vec<Diagnostic>,
+) -> Option<Vec<Constant>> {
+    let values: Vec<Option<Constant>> = list.iter().map(|q| plant.constant(q, found)).collect();
+    let values: Vec<Constant> = values.into_iter().collect::<Option<_>>()?;
+    if values.len() == wanted {
+        return Some(values);
+    }
+    let states: Vec<&str> = plant.states.iter().map(|s| s.label.name.as_str()).collect();
+    let message = format!("`{name}` needs {wanted} numbers, one per state");
+    let error = Diagnostic::error(codes::SHAPE, span.clone(), message).measured(count(values.len()));
+    found.push(error.label(format!("these are {}", values.len())).help(format!("the states are {}", List(&states))));
+    None
+}

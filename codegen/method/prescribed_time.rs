@@ -1,0 +1,192 @@
+//! `[observer.prescribed-time]`: time-varying gains that make the estimate exact at a prescribed time.
+//!
+//! **Idea.** Gains that grow like 1/(T-t) make an error vanish at T whatever it was (004 Theorem 1; 003 Theorem 1).
+//! In implicit Euler's form the gain of a sample lies between 0 and 1, at T itself is 1, and needs one division; M and
+//! q take it to any observable plant with one output, predicted exactly.
+//!
+//! **Source.** 004 (holloway-krstic-2019-prescribed-time): (7), (12)-(23), Theorem 1; 003
+//! (efimov-orlov-2024-implicit-euler): (4), (10)-(13), (21), Theorem 1; corrected and brought together by
+//! prescribed-time-observers, sections 0, 2 and 3.
+//!
+//! **Conditions.** (C, A) observable with one output at the sample time, no delay, nonlinearities in measured states,
+//! inputs and time only.
+
+use std::sync::Arc;
+
+use super::countdown::{self, Countdown};
+use super::window::{VERDICT_BITS, constants, refuse_unknowns, resolution_warnings, time_warning, verdict};
+use super::{Keyed, Method};
+use crate::corrector::design::{Built, Promise, Request, build};
+use crate::corrector::exact::Law;
+use crate::corrector::{After, Counting};
+use crate::describe::short;
+use crate::design::{Convergence, Design, NamedMatrix, Shape};
+use crate::diagnostic::{Diagnostic, codes};
+use crate::expr::List;
+use crate::plant::Plant;
+use crate::real::{Matrix, Precision};
+use crate::spec::reader::Table;
+use crate::window::model::{Model, signals};
+use crate::window::{count, seconds, trimmed};
+
+/// The registry's entry.
+pub const METHOD: Method = Method {
+    name: "prescribed-time",
+    summary: "gains that grow until the prescribed time, by which the error is gone; n numbers of state",
+    source: "Holloway and Krstic 2019, Theorem 1; Efimov and Orlov 2024, (10)-(13), (21); corrected, for any plant",
+    keys: &[
+        countdown::TIME,
+        countdown::POLES,
+        countdown::HOLLOWAY_KRSTIC,
+        countdown::EFIMOV_ORLOV,
+        countdown::AFTER,
+        countdown::STOP_BEFORE,
+        countdown::MAX_GAIN,
+    ],
+    realizations: &[("recursive", "the state is carried on from call to call, and corrected")],
+    page: include_str!("prescribed-time.md"),
+    read,
+};
+
+/// The method's keys.
+#[derive(Clone, Debug)]
+struct Keys {
+    countdown: countdown::Keys,
+}
+
+fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
+    let countdown = countdown::read(table)?;
+    Some(Arc::new(Keys { countdown }))
+}
+
+impl Keyed for Keys {
+    fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {
+        let mut found = refuse_unknowns(plant, METHOD.name);
+        refuse_delays(plant, METHOD.name, &mut found);
+        refuse_several_outputs(plant, METHOD.name, &mut found);
+        let countdown = Countdown::new(plant, &self.countdown, &mut found);
+        let Some(countdown) = countdown.filter(|_| found.is_empty()) else { return Err(found) };
+        let condition = verdict(plant, &[0], plant.states.len(), &self.countdown.time.span())?;
+        let signals = signals(plant);
+        let counting = countdown.counting;
+        let model = |p: Precision| Model::new(plant, &signals, p);
+        let law = |_: &Model, p: Precision| match countdown.rows(plant, p) {
+            Some(rows) => Ok((Law::Countdown(rows), None)),
+            None => Err(no_value(plant)),
+        };
+        let promise = Promise::At(promised(counting, plant.states.len()));
+        let request =
+            Request { plant, signals: signals.clone(), counting, scaled: false, promise, model: &model, law: &law };
+        let built = build(&request)?;
+        let Built { corrector, exact, schedule, certificate, mut numerics, convergence, remaining } = built;
+        numerics.condition = condition;
+        let last = schedule.lead.last().map_or(0.0, |gain| gain.iter().flatten().fold(0.0, |a: f64, x| a.max(x.abs())));
+        let mut warnings = countdown.warnings(plant, &self.countdown, last);
+        warnings.extend(weak(plant, &self.countdown, remaining.share));
+        warnings.extend(time_warning(plant));
+        warnings.extend(resolution_warnings(plant));
+        let mut all = constants(&exact.model);
+        if let Some(chain) = &exact.chain {
+            let named = |letter, matrix: &Matrix| NamedMatrix { letter, rows: matrix.to_f64() };
+            all.extend([named("M", &chain.m), named("q", &chain.q)]);
+        }
+        let valid = corrector.valid;
+        Ok(Design {
+            method: METHOD.name,
+            realization: "recursive",
+            summary: summary(plant, counting),
+            window_steps: counting.steps,
+            valid_from_step: valid,
+            convergence: if exactly(counting) { Convergence::Finite } else { convergence },
+            realizations: Vec::new(),
+            notes: notes(plant, &countdown),
+            constants: all,
+            fir: None,
+            certificate,
+            numerics,
+            warnings,
+            shape: Shape::Corrector(Box::new(corrector)),
+        })
+    }
+}
+
+/// The promised call: the countdown's end; where it holds the deadbeat gain, n calls of it.
+pub fn promised(counting: Counting, order: usize) -> usize {
+    if exactly(counting) { counting.steps + order - 1 } else { counting.lead() }
+}
+
+/// Whether the deadbeat gain is held.
+pub fn exactly(counting: Counting) -> bool {
+    counting.stop == 0 && counting.after == After::Hold
+}
+
+/// Bits at which the plant was judged.
+pub const JUDGED: usize = VERDICT_BITS;
+
+/// What happens when, in one line.
+pub fn summary(plant: &Plant, counting: Counting) -> String {
+    let h = plant.sample_time_s();
+    let Counting { steps, stop, after } = counting;
+    let then = match after {
+        After::Hold => "then the last gain stays".to_owned(),
+        After::Restart => format!("then again from {steps}"),
+        After::Handover => "then a steady Kalman gain".to_owned(),
+    };
+    let time = trimmed(seconds(steps, h));
+    format!("gains for T = {time} s ({steps} calls at {h} s), counted down to {stop} before it; {then}")
+}
+
+/// What the method's own theory says.
+pub fn notes(plant: &Plant, countdown: &Countdown) -> Vec<String> {
+    let mut notes = Vec::new();
+    if let Some(margin) = countdown.margin(plant) {
+        let least = countdown.order - 1;
+        notes.push(format!("scaled errors fall like (T-t)^{} (above {least} is needed)", short(margin)));
+    }
+    notes
+}
+
+/// Says that much of the initial error is still there when the countdown ends.
+pub fn weak(plant: &Plant, keys: &countdown::Keys, left: f64) -> Option<Diagnostic> {
+    if left <= 1e-2 {
+        return None;
+    }
+    let span = keys.stop_before.as_ref().map_or_else(|| plant.span.clone(), |(_, span)| span.clone());
+    let warning = Diagnostic::warning(codes::WEAK, span, "much of the initial error is left when the countdown ends");
+    let label = format!("{} of it", short(left));
+    Some(
+        warning
+            .label(label)
+            .measured(left)
+            .help("a smaller `stop_before`, or larger gains such as `poles = { p = 12 }`"),
+    )
+}
+
+fn no_value(plant: &Plant) -> Vec<Diagnostic> {
+    vec![Diagnostic::error(codes::DOMAIN, plant.span.clone(), "a constant of the gain law has no usable value")]
+}
+
+/// Correctors take each sample when it is of now.
+pub fn refuse_delays(plant: &Plant, method: &str, found: &mut Vec<Diagnostic>) {
+    for output in &plant.outputs {
+        let Some((delay, span)) = &output.delay else { continue };
+        if !delay.is_zero() {
+            let message = format!("the method `{method}` takes no delayed output, as `{}` is", output.label.name);
+            let error = Diagnostic::error(codes::METHOD_CANNOT, span.clone(), message);
+            found.push(error.measured(delay.to_f64().unwrap_or(f64::NAN)).help("use the method `window`, which does"));
+        }
+    }
+}
+
+/// M and q are of one output.
+pub fn refuse_several_outputs(plant: &Plant, method: &str, found: &mut Vec<Diagnostic>) {
+    if plant.outputs.len() > 1 {
+        let names: Vec<&str> = plant.outputs.iter().map(|o| o.label.name.as_str()).collect();
+        let message = format!("the method `{method}` takes one output, not {}", List(&names));
+        let error = Diagnostic::error(codes::METHOD_CANNOT, plant.span.clone(), message);
+        let error = error.measured(count(plant.outputs.len()));
+        found.push(
+            error.help("keep the one that shows every state, or use `window` or `kalman`, which take any number"),
+        );
+    }
+}
