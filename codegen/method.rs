@@ -42,6 +42,16 @@ pub struct Method {
 
 /// A method with its keys read.
 pub trait Keyed: Debug + Send + Sync {
+    /// The order of the chain of integrators that stands for the plant: of the key `order`, where it is given.
+    fn chain(&self) -> Option<usize> {
+        None
+    }
+
+    /// What to write in a file that declares a plant and gives `order` too.
+    fn instead_of_chain(&self) -> &'static str {
+        "leave out `order`"
+    }
+
     /// The plant whose states are estimated: where unknown constants are estimated too, they are states of it.
     fn observed(&self, plant: Plant) -> Result<Plant, Vec<Diagnostic>> {
         Ok(plant)

@@ -3,6 +3,7 @@
 //! In: TOML text. Out: a [`Spec`], in which every key has been recognised and every name can be
 //! carried by Rust and C, or all the mistakes at once. Expressions are still text.
 
+mod chain;
 mod identifiers;
 mod read;
 pub mod reader;

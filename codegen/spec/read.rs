@@ -5,6 +5,7 @@ use std::ops::Range;
 use dashu_ratio::RBig;
 use toml::de::{DeTable, DeValue};
 
+use super::chain::{self, Form};
 use super::identifiers::{check_identifier, check_name, check_names};
 use super::reader::{Found, Table};
 use super::{
@@ -31,23 +32,25 @@ pub(super) fn read(source: &Source, settings: Settings, found: &Found) -> Option
     if !errors.is_empty() {
         return None;
     }
-    let mut top = Table::new("the specification".into(), document.get_ref(), 0..0, &source.text, found);
+    let whole = || Table::new("the specification".into(), document.get_ref(), 0..0, &source.text, found);
+    let mut top = whole();
     read_version(&mut top);
     let name = read_name(&mut top);
     let title = line(&mut top, "title");
     let origin = line(&mut top, "source");
     let parameters = read_parameters(&mut top);
     let matrices = read_matrices(&mut top);
-    let (states, next) = read_states(&mut top, matrices.as_ref());
+    let observer = read_observer(&mut top);
+    let form = Form::of(&top, matrices.as_ref(), observer.as_ref().map(|observer| observer.keyed.chain()));
+    let (states, next) = read_states(&mut top, matrices.as_ref(), form);
     let inputs = read_inputs(&mut top);
-    let outputs = read_outputs(&mut top, matrices.is_some());
+    let outputs = read_outputs(&mut top, form);
     let unknowns = read_unknowns(&mut top);
     let disturbances = read_disturbances(&mut top);
-    let observer = read_observer(&mut top);
     let target = read_target(&mut top);
     top.finish();
     let (sample_time, scalar) = target?;
-    let spec = Spec {
+    let mut spec = Spec {
         source: source.clone(),
         name: name?,
         title,
@@ -64,6 +67,9 @@ pub(super) fn read(source: &Source, settings: Settings, found: &Found) -> Option
         sample_time,
         scalar: settings.scalar.unwrap_or(scalar),
     };
+    if let Form::Chain(order) = form {
+        chain::stand_in(&mut spec, order, &whole());
+    }
     check_names(&spec, found);
     Some(spec)
 }
@@ -158,9 +164,9 @@ fn read_matrices(top: &mut Table) -> Option<Matrices> {
 }
 
 /// The states, and whether they are given by `next`.
-fn read_states(top: &mut Table, matrices: Option<&Matrices>) -> (Vec<State>, bool) {
+fn read_states(top: &mut Table, matrices: Option<&Matrices>, form: Form) -> (Vec<State>, bool) {
     let Some(mut table) = top.table("states", "[states]") else {
-        if matrices.is_none() && !top.has("states") {
+        if form == Form::Equations && !top.has("states") {
             top.missing("states", "write `[states]` with one line per state, or `[plant]` with A, B and C");
         }
         return (Vec::new(), false);
@@ -233,14 +239,15 @@ fn read_inputs(top: &mut Table) -> Vec<Input> {
     })
 }
 
-fn read_outputs(top: &mut Table, by_matrices: bool) -> Vec<Output> {
+fn read_outputs(top: &mut Table, form: Form) -> Vec<Output> {
+    let by_matrices = form == Form::Matrices;
     if !by_matrices && !top.has("outputs") {
         top.missing("outputs", "write `[outputs]` with one line per measured output: `y = { value = 'q' }`");
     }
     let outputs = read_entries(top, "outputs", "[outputs]", "output", |named, entry| {
         let value = entry.text("value");
-        match (&value, by_matrices) {
-            (Some(text), true) => entry.report(
+        match (&value, form) {
+            (Some(text), Form::Matrices) => entry.report(
                 Diagnostic::error(
                     codes::BAD_COMBINATION,
                     text.span.clone(),
@@ -248,7 +255,7 @@ fn read_outputs(top: &mut Table, by_matrices: bool) -> Vec<Output> {
                 )
                 .help("leave out this key, or `[plant]`"),
             ),
-            (None, false) if !entry.has("value") => {
+            (None, Form::Equations) if !entry.has("value") => {
                 entry.missing("value", "write `value = '…'`, linear in the states");
             }
             _ => {}
