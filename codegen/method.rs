@@ -4,9 +4,12 @@
 //! specification ([`Method::read`]) and gives something that designs ([`Keyed`]).
 
 pub mod countdown;
+pub mod fixed_time_linear;
 pub mod impulsive;
+pub mod order;
 pub mod parameters;
 pub mod prescribed_time;
+pub mod robust_exact;
 pub mod single_delay;
 pub mod window;
 
@@ -20,7 +23,15 @@ use crate::spec::reader::Table;
 
 /// All methods, in the order in which `deadbeat list` shows them.
 pub const METHODS: &[Method] =
-    &[window::METHOD, single_delay::METHOD, impulsive::METHOD, parameters::METHOD, prescribed_time::METHOD];
+    &[
+    window::METHOD,
+    single_delay::METHOD,
+    impulsive::METHOD,
+    parameters::METHOD,
+    prescribed_time::METHOD,
+    fixed_time_linear::METHOD,
+    robust_exact::METHOD,
+];
 
 /// What a user can name in `[observer.<name>]`.
 pub struct Method {

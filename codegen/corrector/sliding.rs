@@ -28,6 +28,7 @@ pub use bound::Backward;
 use crate::design::Settled;
 use crate::program::Scalar;
 use crate::real::{Precision, Real, Undefined};
+use crate::window::settle::Pass;
 
 /// Orders with published parameters: n states, so n-1 derivatives.
 pub const ORDERS: std::ops::RangeInclusive<usize> = 2..=6;
@@ -93,6 +94,20 @@ impl ExactSliding {
         }
         let terms = ratios.iter().map(|ratio| ratio * &reach).collect();
         Ok(Self { reach, inverse, ratios, terms })
+    }
+
+    /// Rounded once, with a finer run.
+    pub(crate) fn settled(&self, fine: &Self, pass: &mut Pass) -> Sliding {
+        let mut all = |coarse: &[Real], fine: &[Real]| -> Vec<Settled> {
+            pass.each(coarse, fine).into_iter().map(Option::unwrap_or_default).collect()
+        };
+        let one = |values: Vec<Settled>| values[0];
+        Sliding {
+            reach: one(all(std::slice::from_ref(&self.reach), std::slice::from_ref(&fine.reach))),
+            inverse: one(all(std::slice::from_ref(&self.inverse), std::slice::from_ref(&fine.inverse))),
+            ratios: all(&self.ratios, &fine.ratios),
+            terms: all(&self.terms, &fine.terms),
+        }
     }
 }
 

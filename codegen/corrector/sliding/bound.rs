@@ -8,135 +8,100 @@
 //! ```
 //!
 //! with noise v, what the plant does not know of the interval d, and a shortfall s that grows with the innovation
-//! and is 0 up to `c_n`. Nothing older enters: n innovations within a reach bound the error, whatever was before.
+//! and is 0 up to `c_n`. Nothing older enters: n innovations within a bound are a bound on the error, whatever was
+//! before. The sums over v and d are those of the corrector's certificate for the constant gain K.
 
-use crate::real::{Matrix, Precision, Real};
+use crate::dense::{Rows, add_magnitudes, dot};
+use crate::plant::Plant;
+use crate::real::{Matrix, Real};
+use crate::window::certificate::Kernel;
 
-/// Sums of magnitudes over the last n calls.
+/// Sums over the last n calls.
 #[derive(Clone, Debug)]
 pub struct Backward {
     /// n x n: of the error, per unit of the shortfall of each `S_j`.
-    pub shortfall: Vec<Vec<f64>>,
-    /// n: of the error, per unit of noise.
-    pub noise: Vec<f64>,
-    /// n x d: of the error, per unit of each thing that enters unknown.
-    pub entering: Vec<Vec<f64>>,
+    shortfall: Rows,
     /// Of the innovation that backward differences have, per unit of noise: 2^n for the chain.
-    pub innovation_noise: f64,
-    /// Likewise, per unit of each thing that enters.
-    pub innovation_entering: Vec<f64>,
+    pub noise: f64,
+    /// 1 x n each: of that innovation, what a change of the state at the end of an interval does, newest first.
+    into: Vec<Rows>,
 }
 
 impl Backward {
-    /// Of a plant with one output: Phi n x n, C 1 x n, M n x n and q n x 1 of its chain form, and n x d what a unit of
-    /// each unknown thing adds to the state over an interval, entry by entry at most.
-    pub fn new(phi: &Matrix, c: &Matrix, m: &Matrix, q: &Matrix, entering: &Matrix) -> Self {
+    /// Of a sampled plant with one output: Phi n x n, C 1 x n, with M n x n and q n x 1 of its chain form.
+    pub fn new(phi: &Matrix, c: &Matrix, m: &Matrix, q: &Matrix) -> Self {
         let (n, p) = (phi.rows(), phi.precision());
         let ones = Matrix::from_fn(n, 1, |_, _| Real::one(p));
         let gain = &(m * &ones) + q;
         let keeps = &Matrix::identity(n, p) - &(&gain * c);
         let z = &keeps * phi;
-        let (own, into) = (magnitudes(entering), c * phi);
+        let ahead = c * phi;
+        let mut sums = Self { shortfall: vec![vec![0.0; n]; n], noise: 1.0, into: vec![c.to_f64()] };
         let mut power = Matrix::identity(n, p);
-        let mut sums = Self {
-            shortfall: vec![vec![0.0; n]; n],
-            noise: vec![0.0; n],
-            entering: vec![vec![0.0; entering.cols()]; n],
-            innovation_noise: 1.0,
-            innovation_entering: rows_times(&magnitudes(c), &own).into_iter().next().unwrap_or_default(),
-        };
         for _ in 0..n {
-            let of_noise = &power * &gain;
-            add(&mut sums.shortfall, &magnitudes(&(&power * m)));
-            for (sum, row) in sums.noise.iter_mut().zip(magnitudes(&of_noise)) {
-                *sum += row[0];
-            }
-            let carried = &power * &keeps;
-            add(&mut sums.entering, &rows_times(&magnitudes(&carried), &own));
-            sums.innovation_noise += magnitudes(&(&into * &of_noise))[0][0];
-            let through = rows_times(&magnitudes(&(&into * &carried)), &own);
-            for (sum, more) in sums.innovation_entering.iter_mut().zip(&through[0]) {
-                *sum += more;
-            }
+            add_magnitudes(&mut sums.shortfall, &(&power * m).to_f64());
+            let next = &ahead * &power;
+            sums.noise += (&next * &gain).get(0, 0).to_f64().abs();
+            sums.into.push((&next * &keeps).to_f64());
             power = &power * &z;
         }
         sums
     }
 
-    /// The largest error of each state, for shortfalls, a bound on the noise and one on each thing that enters.
-    pub fn error(&self, shortfall: &[f64], noise: f64, entering: &[f64]) -> Vec<f64> {
-        let product = |row: &[f64], by: &[f64]| row.iter().zip(by).map(|(a, b)| a * b).sum::<f64>();
-        let states = self.noise.iter().zip(&self.shortfall).zip(&self.entering);
-        states.map(|((own, short), enters)| own * noise + product(short, shortfall) + product(enters, entering)).collect()
+    /// The largest error of each state by shortfalls alone.
+    pub fn error(&self, shortfall: &[f64]) -> Vec<f64> {
+        self.shortfall.iter().map(|row| dot(row, shortfall)).collect()
     }
-}
 
-fn magnitudes(matrix: &Matrix) -> Vec<Vec<f64>> {
-    matrix.to_f64().into_iter().map(|row| row.into_iter().map(f64::abs).collect()).collect()
-}
-
-fn add(sums: &mut [Vec<f64>], more: &[Vec<f64>]) {
-    for (sum, more) in sums.iter_mut().flatten().zip(more.iter().flatten()) {
-        *sum += more;
+    /// What the plant's disturbances within their bounds do to the innovation of backward differences at most.
+    pub fn disturbance(&self, plant: &Plant) -> f64 {
+        let Some(kernel) = Kernel::new(plant) else { return f64::INFINITY };
+        let mut gains = vec![vec![0.0; plant.disturbances.len()]];
+        self.into.iter().for_each(|row| kernel.add(row, &mut gains));
+        let bounds: Vec<f64> = plant.disturbances.iter().map(|d| d.bound.to_f64().unwrap_or(f64::INFINITY)).collect();
+        dot(&gains[0], &bounds)
     }
-}
-
-fn rows_times(a: &[Vec<f64>], b: &[Vec<f64>]) -> Vec<Vec<f64>> {
-    let columns = b.first().map_or(0, Vec::len);
-    let entry = |row: &[f64], j: usize| row.iter().zip(b).map(|(x, y)| x * y[j]).sum();
-    a.iter().map(|row| (0..columns).map(|j| entry(row, j)).collect()).collect()
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::tests::law_of;
+    use super::super::tests::{law_of, p};
     use super::*;
 
-    fn p() -> Precision {
-        Precision::bits(256)
-    }
-
-    fn real(x: i64) -> Real {
-        Real::from_i64(x, p())
-    }
-
     /// The chain at h = 1 as implicit Euler has it: Phi = (I - A)^-1, M = I, q = 0.
-    fn chain(n: usize) -> [Matrix; 4] {
-        let phi = Matrix::from_fn(n, n, |i, j| real(i64::from(j >= i)));
-        let c = Matrix::from_fn(1, n, |_, j| real(i64::from(j == 0)));
-        // M of that model of the chain: its own coordinates.
-        [phi, c, Matrix::identity(n, p()), Matrix::zeros(n, 1, p())]
+    fn backward(n: usize) -> Backward {
+        let real = |there: bool| Real::from_i64(i64::from(there), p());
+        let phi = Matrix::from_fn(n, n, |i, j| real(j >= i));
+        let c = Matrix::from_fn(1, n, |_, j| real(j == 0));
+        Backward::new(&phi, &c, &Matrix::identity(n, p()), &Matrix::zeros(n, 1, p()))
     }
 
-    /// Of the chain they are sums of binomial coefficients: 2^(i-1) for the (i-1)-th difference of n+1 samples, and
-    /// 2^n for the innovation, which is the n-th.
+    /// The innovation is the n-th difference of n+1 samples: sums of binomial coefficients. What enters the state
+    /// between samples makes a difference by its own n-1 differences and what is older.
     #[test]
     fn of_the_chain_they_are_binomial() {
         for n in 2..=6 {
-            let [phi, c, m, q] = chain(n);
-            // A unit of the n-th difference enters all states alike.
-            let enters = Matrix::from_fn(n, 1, |_, _| real(1));
-            let sums = Backward::new(&phi, &c, &m, &q, &enters);
-            for (i, noise) in sums.noise.iter().enumerate() {
-                assert_eq!(*noise, f64::from(1 << i), "{n} {i}");
-            }
-            assert_eq!(sums.innovation_noise, f64::from(1 << n));
-            // The estimate of y itself is the sample.
-            assert_eq!(sums.entering[0], [0.0]);
+            let sums = backward(n);
+            assert_eq!(sums.noise, f64::from(1 << n));
+            assert_eq!(sums.into.len(), n + 1);
+            // A step of y itself is met by the n-th difference with the coefficients of the (n-1)-th.
+            let steps: f64 = sums.into.iter().map(|row| row[0][0].abs()).sum();
+            assert_eq!(steps, f64::from(1 << (n - 1)));
         }
     }
 
-    /// In a run with noise the bound holds at every call behind n innovations within the reach, and the error comes
-    /// near it: both ways of being wrong would show.
+    /// In a run with noise the bound holds at every call behind n innovations within a bound, and the error comes near
+    /// it: both ways of being wrong would show.
     #[test]
     fn the_bound_holds_and_is_no_fancy() {
         for n in 2..=6_usize {
             let (_, law) = law_of(n, 1.0, 1.0);
-            let [phi, c, m, q] = chain(n);
-            let sums = Backward::new(&phi, &c, &m, &q, &Matrix::zeros(n, 0, p()));
+            let sums = backward(n);
             for noise in [0.01, 3.0, 500.0] {
-                let reach = law.reach.double + sums.innovation_noise * noise;
-                let bounds = sums.error(&law.shortfall(reach), noise, &[]);
+                let reach = law.reach.double + sums.noise * noise;
+                // The (i-1)-th difference of noise, and the shortfall.
+                let short = sums.error(&law.shortfall(reach));
+                let bounds: Vec<f64> = (0..n).map(|i| f64::from(1 << i) * noise + short[i]).collect();
                 let (mut xi, mut seed, mut within, mut closest) = (vec![0.0; n], 1_u64, 0, 0.0_f64);
                 xi[n - 1] = 20.0;
                 for call in 0..20_000 {
