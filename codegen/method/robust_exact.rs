@@ -184,10 +184,9 @@ impl Keys {
         let chain = built.exact.chain.as_ref().ok_or_else(|| no_chain(plant, "there is no chain form"))?;
         let backward = Backward::new(&model.phi, &model.c, &chain.m, &chain.q);
         let noise = plant.outputs[0].noise.as_ref().map_or(0.0, |noise| noise.to_f64().unwrap_or(0.0));
-        let disturbance = backward.disturbance(plant);
+        let disturbance = backward.disturbance(plant).unwrap_or(0.0);
         let Gain::Sliding { law, calm } = &mut built.corrector.gain else { unreachable!("the gain of this law") };
-        let own = if disturbance.is_finite() { law.reach.double.max(disturbance) } else { law.reach.double };
-        let bound = plant.scalar_value(own + backward.noise * noise);
+        let bound = plant.scalar_value(law.reach.double.max(disturbance) + backward.noise * noise);
         *calm = bound;
         let short = backward.error(&law.shortfall(bound));
         let whole = built.certificate.error_bound.iter().zip(short).map(|(linear, short)| linear.map(|it| it + short));
@@ -200,9 +199,7 @@ impl Keys {
     /// A bound that the declared disturbances break.
     fn weak(&self, plant: &Plant, law: &Sliding, disturbance: f64) -> Option<Diagnostic> {
         let reach = law.reach.double;
-        // The sum over a disturbance is from above, by an eighth for a chain; the law's own last parameter allows for a tenth.
-        let own = self.order.order.is_some() && plant.disturbances[0].label.span == plant.outputs[0].label.span;
-        if own || disturbance <= 1.25 * reach || !disturbance.is_finite() {
+        if disturbance <= reach {
             return None;
         }
         let message = "the declared disturbances are more than `lipschitz` allows for";

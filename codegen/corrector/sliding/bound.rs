@@ -11,10 +11,10 @@
 //! and is 0 up to `c_n`. Nothing older enters: n innovations within a bound are a bound on the error, whatever was
 //! before. The sums over v and d are those of the corrector's certificate for the constant gain K.
 
-use crate::dense::{Rows, add_magnitudes, dot};
-use crate::plant::Plant;
-use crate::real::{Matrix, Real};
-use crate::window::certificate::Kernel;
+use crate::dense::{Rows, add_magnitudes, dot, transposed};
+use crate::expr::Constant;
+use crate::plant::{Disturbance, Plant};
+use crate::real::{Matrix, Precision, Real, zero_order_hold};
 
 /// Sums over the last n calls.
 #[derive(Clone, Debug)]
@@ -53,14 +53,26 @@ impl Backward {
         self.shortfall.iter().map(|row| dot(row, shortfall)).collect()
     }
 
-    /// What the plant's disturbances within their bounds do to the innovation of backward differences at most.
-    pub fn disturbance(&self, plant: &Plant) -> f64 {
-        let Some(kernel) = Kernel::new(plant) else { return f64::INFINITY };
-        let mut gains = vec![vec![0.0; plant.disturbances.len()]];
-        self.into.iter().for_each(|row| kernel.add(row, &mut gains));
-        let bounds: Vec<f64> = plant.disturbances.iter().map(|d| d.bound.to_f64().unwrap_or(f64::INFINITY)).collect();
-        dot(&gains[0], &bounds)
+    /// What the plant's disturbances within their bounds do to the innovation of backward differences at most, where
+    /// they keep their value over a sample interval; `None` where the plant is too fast for its sample time.
+    pub fn disturbance(&self, plant: &Plant) -> Option<f64> {
+        let held = transposed(&held(plant)?.to_f64());
+        let gain = |column: &Vec<f64>| self.into.iter().map(|row| dot(&row[0], column).abs()).sum::<f64>();
+        let bound = |d: &Disturbance| d.bound.to_f64().unwrap_or(f64::INFINITY);
+        Some(held.iter().zip(&plant.disturbances).map(|(column, d)| gain(column) * bound(d)).sum())
     }
+}
+
+/// n x d: what each disturbance does to the state over an interval, per unit.
+fn held(plant: &Plant) -> Option<Matrix> {
+    let (n, p) = (plant.states.len(), Precision::bits(256));
+    let value = |constant: &Constant| constant.evaluate(p).unwrap_or_else(|_| Real::zero(p));
+    let all = Matrix::from_fn(n, plant.disturbances.len(), |i, d| value(&plant.disturbances[d].column[i]));
+    if plant.discrete || plant.disturbances.is_empty() {
+        return Some(all);
+    }
+    let a = Matrix::from_fn(n, n, |i, j| value(&plant.a[i][j]));
+    zero_order_hold(&a, &all, &value(&plant.sample_time.0)).ok().map(|(_, held)| held)
 }
 
 #[cfg(test)]
