@@ -42,6 +42,9 @@ enum Command {
     Design {
         /// A specification; `-` is standard input
         spec: PathBuf,
+        /// Instead of it, the gains at this step from the first sample on, the prescribed time included
+        #[arg(long, value_name = "STEP")]
+        at: Option<usize>,
         #[command(flatten)]
         common: Common,
     },
@@ -189,7 +192,8 @@ pub fn main() -> ExitCode {
 fn dispatch(command: &Command) -> Result<End, Failure> {
     match command {
         Command::Check { specs, common } => commands::check(specs, common),
-        Command::Design { spec, common } => commands::design(spec, common),
+        Command::Design { spec, at: Some(step), common } => commands::at(spec, *step, common),
+        Command::Design { spec, at: None, common } => commands::design(spec, common),
         Command::Generate { specs, target, common } => commands::generate(specs, target, common),
         Command::Verify { specs, target, common } => commands::verify(specs, target, common),
         Command::Run(options) => run::run(options),

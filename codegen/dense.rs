@@ -25,11 +25,6 @@ pub(crate) fn transposed(a: &Rows) -> Rows {
     (0..a.first().map_or(0, Vec::len)).map(|j| a.iter().map(|row| row[j]).collect()).collect()
 }
 
-/// A column times its transpose.
-pub(crate) fn outer(column: &[f64]) -> Rows {
-    column.iter().map(|x| column.iter().map(|y| x * y).collect()).collect()
-}
-
 /// The inner product.
 pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()

@@ -15,6 +15,7 @@ pub mod design;
 pub mod diagnostic;
 pub mod emit;
 pub mod expr;
+pub mod implicit_euler;
 pub mod impulsive;
 pub mod method;
 pub mod parameters;
@@ -34,6 +35,7 @@ pub use output::{Difference, File, Language, Output, write_whole};
 pub use spec::Settings;
 
 use design::Design;
+use method::Moment;
 use plant::Plant;
 use program::Program;
 use spec::Spec;
@@ -94,6 +96,13 @@ impl Generator {
             unreachable!("a lowering made an invalid Program: {error}");
         }
         Ok(Generated { plant, design, program, settings: self.settings, report: report(warnings) })
+    }
+
+    /// What the gains are at one step from the first sample on; inside, a text says why the method has nothing to show.
+    pub fn at(&self, step: usize) -> Result<Result<Moment, String>, Report> {
+        let plant = self.design()?.plant;
+        let spec = Spec::parse(self.source.clone(), self.settings)?;
+        Ok(spec.observer.keyed.at(&plant, step))
     }
 
     /// Everything that stands against the specification, and the warnings.

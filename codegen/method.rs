@@ -4,6 +4,7 @@
 //! specification ([`Method::read`]) and gives something that designs ([`Keyed`]).
 
 pub mod countdown;
+pub mod differentiator;
 pub mod fixed_time_linear;
 pub mod impulsive;
 pub mod order;
@@ -16,19 +17,19 @@ pub mod window;
 use std::fmt::Debug;
 use std::sync::Arc;
 
-use crate::design::Design;
+use crate::design::{Design, NamedMatrix};
 use crate::diagnostic::Diagnostic;
 use crate::plant::Plant;
 use crate::spec::reader::Table;
 
 /// All methods, in the order in which `deadbeat list` shows them.
-pub const METHODS: &[Method] =
-    &[
+pub const METHODS: &[Method] = &[
     window::METHOD,
     single_delay::METHOD,
     impulsive::METHOD,
     parameters::METHOD,
     prescribed_time::METHOD,
+    differentiator::METHOD,
     fixed_time_linear::METHOD,
     robust_exact::METHOD,
 ];
@@ -68,8 +69,28 @@ pub trait Keyed: Debug + Send + Sync {
         Ok(plant)
     }
 
+    /// What the gains are at one step from the first sample on; for reports. A text says why there is nothing.
+    fn at(&self, _plant: &Plant, _step: usize) -> Result<Moment, String> {
+        Err("`--at` is for gains that change from step to step, which only `differentiator` and `prescribed-time` \
+             have; without it, the design is printed"
+            .into())
+    }
+
     /// Designs the observer for a plant, or says everything that stands against it.
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>>;
+}
+
+/// An observer with changing gains at one step.
+#[derive(Clone, Debug)]
+pub struct Moment {
+    /// From the first sample on.
+    pub step: usize,
+    /// Until the prescribed time.
+    pub left: usize,
+    /// Whether the observer's countdown comes so far.
+    pub in_use: bool,
+    /// What there is to see.
+    pub matrices: Vec<NamedMatrix>,
 }
 
 /// What a unit test of a method needs: a plant from a specification's text.

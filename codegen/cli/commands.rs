@@ -74,6 +74,25 @@ pub fn design(spec: &PathBuf, common: &Common) -> Result<End, Failure> {
     Ok(End::Fine)
 }
 
+/// `deadbeat design --at`
+pub fn at(spec: &PathBuf, step: usize, common: &Common) -> Result<End, Failure> {
+    match read_spec(spec, common.settings())?.at(step) {
+        Ok(Ok(moment)) => {
+            print(&if common.json() {
+                format!("{:#}\n", report::moment_json(&moment))
+            } else {
+                report::moment(&moment)
+            })?;
+            Ok(End::Fine)
+        }
+        Ok(Err(why)) => Err(Failure::Misused(why)),
+        Err(report) => {
+            show(&report);
+            Ok(End::Wrong)
+        }
+    }
+}
+
 /// `deadbeat generate`
 pub fn generate(specs: &[PathBuf], target: &Target, common: &Common) -> Result<End, Failure> {
     let Some(all) = designed(specs, common)? else { return Ok(End::Wrong) };

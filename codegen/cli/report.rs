@@ -3,7 +3,8 @@
 use std::fmt::Write as _;
 
 use deadbeat_codegen::describe::{self, short};
-use deadbeat_codegen::design::{Convergence, Design, Realization};
+use deadbeat_codegen::design::{Convergence, Design, NamedMatrix, Realization};
+use deadbeat_codegen::method::Moment;
 use deadbeat_codegen::plant::modes::modes;
 use deadbeat_codegen::program::cost::{Cost, cost};
 use deadbeat_codegen::{Generated, Language, Source, VERSION};
@@ -140,13 +141,7 @@ pub fn text(generated: &Generated) -> String {
         let list: Vec<String> = modes.iter().map(mode).collect();
         let _ = writeln!(text, "Modes        {}", list.join(", "));
     }
-    for matrix in &design.constants {
-        let _ = writeln!(text, "\n{}", matrix.letter);
-        for row in &matrix.rows {
-            let entries: Vec<String> = row.iter().map(|x| format!("{x:>24}")).collect();
-            let _ = writeln!(text, "{}", entries.join(" "));
-        }
-    }
+    matrices(&mut text, &design.constants);
     if let Some(fir) = &design.fir {
         let _ =
             write!(text, "\nWeights by age: x_k = sum K[j] y_(k-j) + M[j] w_(k-j) + c; `--format json` has them all\n");
@@ -156,4 +151,32 @@ pub fn text(generated: &Generated) -> String {
         }
     }
     text
+}
+
+fn matrices(text: &mut String, all: &[NamedMatrix]) {
+    for matrix in all {
+        let _ = writeln!(text, "\n{}", matrix.letter);
+        for row in &matrix.rows {
+            let entries: Vec<String> = row.iter().map(|x| format!("{x:>24}")).collect();
+            let _ = writeln!(text, "{}", entries.join(" "));
+        }
+    }
+}
+
+/// The gains at one step for people.
+pub fn moment(moment: &Moment) -> String {
+    let used = if moment.in_use { "" } else { "; the observer's countdown stops before it" };
+    let mut text = format!("Step {}, {} before the prescribed time{used}\n", moment.step, moment.left);
+    matrices(&mut text, &moment.matrices);
+    text
+}
+
+/// The gains at one step for machines; what is infinite is null.
+pub fn moment_json(moment: &Moment) -> Value {
+    let mut all: Map<String, Value> =
+        moment.matrices.iter().map(|matrix| (matrix.letter.to_owned(), json!(matrix.rows))).collect();
+    all.insert("step".into(), json!(moment.step));
+    all.insert("left".into(), json!(moment.left));
+    all.insert("in_use".into(), json!(moment.in_use));
+    Value::Object(all)
 }

@@ -5,7 +5,7 @@
 //! `r^n (1 + S_1)` is above zero for every r >= 0, r = 0 included, since `c_n` has a constant term.
 
 use super::Counting;
-use crate::real::{Precision, Rational, Real};
+use crate::real::{Matrix, Precision, Rational, Real};
 
 /// `r^n c_i`, a row per i, by powers of r.
 pub type Rows = Vec<Vec<Real>>;
@@ -82,6 +82,22 @@ pub fn kappa(rows: &[Vec<f64>], left: f64) -> Vec<f64> {
     }
     let denominator = powers[n] + sums[0];
     sums.into_iter().map(|sum| sum / denominator).collect()
+}
+
+/// kappa with `left` steps left, n x 1, at the law's precision.
+pub fn exact_kappa(rows: &[Vec<Real>], left: usize) -> Matrix {
+    let n = rows.len();
+    let precision = rows.first().and_then(|row| row.first()).map_or(Precision::bits(64), Real::precision);
+    let r = Real::from_rational(&Rational::from(left), precision);
+    let powers: Vec<Real> =
+        (0..=n).scan(Real::one(precision), |power, _| Some(std::mem::replace(power, &*power * &r))).collect();
+    let mut sums: Vec<Real> =
+        rows.iter().map(|row| Real::sum_of_products(row.iter().zip(&powers), precision)).collect();
+    for j in (1..n).rev() {
+        sums[j - 1] = &sums[j - 1] + &sums[j];
+    }
+    let denominator = sums.first().map(|first| &powers[n] + first);
+    Matrix::from_fn(n, 1, |j, _| denominator.as_ref().map_or_else(|| Real::zero(precision), |all| &sums[j] / all))
 }
 
 /// By how many powers of two r is scaled down, so that its powers lie around 1 over the whole countdown.

@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use crate::corrector::law;
+use crate::corrector::theorem1;
 use crate::corrector::{After, Counting};
 use crate::decimal::show;
 use crate::diagnostic::{Diagnostic, codes};
@@ -271,11 +272,11 @@ impl Countdown {
 
     /// Refuses gains with which the error does not vanish at T: 003's exponents, exactly.
     fn check_exponents(&self, plant: &Plant, keys: &Keys, found: &mut Vec<Diagnostic>) {
-        let Some(margin) = self.margin(plant) else { return };
-        let needed = count(self.order - 1);
-        if margin > needed {
+        let Some(scaled) = self.scaled(plant) else { return };
+        if theorem1::vanishes(&scaled) {
             return;
         }
+        let (margin, needed) = (theorem1::margin(&scaled), count(self.order - 1));
         let span = match &keys.law {
             Some(LawKeys::EfimovOrlov(_, span) | LawKeys::HollowayKrstic(_, _, span)) => span.clone(),
             Some(LawKeys::Poles(p)) => p.span(),
@@ -292,16 +293,21 @@ impl Countdown {
     /// `Lambda_i = L_i T^i`; it must be above n - 1 (prescribed-time-observers, section 1: exact, where 003's
     /// T > 2n - 2 is only sufficient).
     pub fn margin(&self, plant: &Plant) -> Option<f64> {
-        let rows = self.doubles(plant)?;
-        let n = self.order;
-        let matrix = nalgebra::DMatrix::from_fn(n, n, |i, j| {
-            let shift = f64::from(u8::from(j == i + 1));
-            let gain = if j == 0 { rows[i][n - 1 - i] } else { 0.0 };
-            let scaling = if i == j { count(i) } else { 0.0 };
-            shift - gain - scaling
-        });
-        let slowest = matrix.complex_eigenvalues().iter().map(|z| z.re).fold(f64::NEG_INFINITY, f64::max);
-        Some(-slowest)
+        Some(theorem1::margin(&self.scaled(plant)?))
+    }
+
+    /// `Lambda_i = L_i T^i`, the law's share that grows fastest towards T: n of them.
+    pub fn scaled(&self, plant: &Plant) -> Option<Vec<Rational>> {
+        let rows = self.rows(plant, Precision::bits(256))?;
+        rows.iter().enumerate().map(|(i, row)| row[self.order - 1 - i].to_rational()).collect()
+    }
+
+    /// Steps left at a step from the first sample on; the last is T.
+    pub fn left_at(&self, step: usize) -> Result<usize, String> {
+        let steps = self.counting.steps;
+        steps
+            .checked_sub(step)
+            .ok_or_else(|| format!("the prescribed time is step {steps}; there is no step {step} before it"))
     }
 
     /// What the user should know of where the countdown ends.
@@ -404,4 +410,9 @@ pub fn listed(
     let error = Diagnostic::error(codes::SHAPE, span.clone(), message).measured(count(values.len()));
     found.push(error.label(format!("these are {}", values.len())).help(format!("the states are {}", List(&states))));
     None
+}
+
+/// A constant of the law without a value.
+pub fn no_value(plant: &Plant) -> Vec<Diagnostic> {
+    vec![Diagnostic::error(codes::DOMAIN, plant.span.clone(), "a constant of the gain law has no usable value")]
 }

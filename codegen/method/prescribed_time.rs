@@ -15,10 +15,11 @@ use std::sync::Arc;
 
 use super::countdown::{self, Countdown};
 use super::window::{VERDICT_BITS, constants, refuse_unknowns, resolution_warnings, time_warning, verdict};
-use super::{Keyed, Method};
+use super::{Keyed, Method, Moment};
+use crate::corrector::chain::Chain;
 use crate::corrector::design::{Built, Promise, Request, build};
 use crate::corrector::exact::Law;
-use crate::corrector::{After, Counting};
+use crate::corrector::{After, Counting, law};
 use crate::describe::short;
 use crate::design::{Convergence, Design, NamedMatrix, Shape};
 use crate::diagnostic::{Diagnostic, codes};
@@ -72,7 +73,7 @@ impl Keyed for Keys {
         let model = |p: Precision| Model::new(plant, &signals, p);
         let law = |_: &Model, p: Precision| match countdown.rows(plant, p) {
             Some(rows) => Ok((Law::Countdown(rows), None)),
-            None => Err(no_value(plant)),
+            None => Err(countdown::no_value(plant)),
         };
         let promise = Promise::At(promised(counting, plant.states.len()));
         let request =
@@ -107,6 +108,23 @@ impl Keyed for Keys {
             warnings,
             shape: Shape::Corrector(Box::new(corrector)),
         })
+    }
+
+    fn at(&self, plant: &Plant, step: usize) -> Result<Moment, String> {
+        let no_value = || "a constant of the gain law has no usable value".to_owned();
+        let countdown = Countdown::new(plant, &self.countdown, &mut Vec::new()).ok_or_else(no_value)?;
+        let left = countdown.left_at(step)?;
+        let precision = Precision::bits(JUDGED);
+        let model = Model::new(plant, &[], precision).map_err(|_| no_value())?;
+        let chain = Chain::new(&model.phi, &model.c).map_err(|error| error.to_string())?;
+        let rows = countdown.rows(plant, precision).ok_or_else(no_value)?;
+        let gain = &(&chain.m * &law::exact_kappa(&rows, left)) + &chain.q;
+        let transition = &(&Matrix::identity(countdown.order, precision) - &(&gain * &model.c)) * &model.phi;
+        let matrices = vec![
+            NamedMatrix { letter: "K", rows: gain.to_f64() },
+            NamedMatrix { letter: "transition", rows: transition.to_f64() },
+        ];
+        Ok(Moment { step, left, in_use: left >= countdown.counting.stop, matrices })
     }
 }
 
@@ -160,10 +178,6 @@ pub fn weak(plant: &Plant, keys: &countdown::Keys, left: f64) -> Option<Diagnost
             .measured(left)
             .help("a smaller `stop_before`, or larger gains such as `poles = { p = 12 }`"),
     )
-}
-
-fn no_value(plant: &Plant) -> Vec<Diagnostic> {
-    vec![Diagnostic::error(codes::DOMAIN, plant.span.clone(), "a constant of the gain law has no usable value")]
 }
 
 /// Correctors take each sample when it is of now.

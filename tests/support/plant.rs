@@ -292,7 +292,9 @@ fn largest<'a>(rows: impl Iterator<Item = &'a Vec<f64>>) -> Vec<f64> {
 pub fn functional(generated: &Generated) -> &Functional {
     match &generated.design.shape {
         Shape::Window(functional) => functional,
-        _ => panic!("{} has no constant weights", generated.plant.name),
+        Shape::Regression(_) | Shape::Impulsive(_) | Shape::Corrector(_) => {
+            panic!("{} has no constant weights", generated.plant.name)
+        }
     }
 }
 

@@ -1,0 +1,333 @@
+//! `[observer.differentiator]`: a signal and its derivatives, by gains that grow until the prescribed time.
+//!
+//! **Idea.** The signal is the first state of a chain of integrators; implicit Euler makes the prescribed-time observer
+//! of it a recursion with n-1 additions and one division, finite at T itself. A constant map of its states gives the
+//! derivatives without implicit Euler's lag.
+//!
+//! **Source.** 003 (efimov-orlov-2024-implicit-euler): (4), (10)-(13), (21), Theorem 1; 004's gains. Corrected and
+//! brought to scaled states by prescribed-time-observers, sections 0, 1 and 3.
+//!
+//! **Conditions.** One output without delay; the derivative of order n bounded, for a bound on the errors.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use super::countdown::{self, Countdown, Numbers};
+use super::prescribed_time::{exactly, promised, refuse_delays, summary, weak};
+use super::window::{constants, refuse_unknowns, resolution_warnings, verdict};
+use super::{Keyed, Method, Moment};
+use crate::corrector::After;
+use crate::corrector::design::{Promise, Request, build};
+use crate::corrector::exact::Law;
+use crate::corrector::theorem1::{Inequalities, margin};
+use crate::decimal::show;
+use crate::describe::short;
+use crate::design::{Certificate, Convergence, Design, NamedMatrix, Shape};
+use crate::diagnostic::{Diagnostic, codes};
+use crate::expr::{Constant, List};
+use crate::implicit_euler::{Gains, ImplicitEuler, output_map};
+use crate::plant::Plant;
+use crate::real::{Matrix, Precision, Rational, Real};
+use crate::spec::Quantity;
+use crate::spec::reader::Table;
+use crate::window::count;
+use crate::window::model::Model;
+
+/// The registry's entry.
+pub const METHOD: Method = Method {
+    name: "differentiator",
+    summary: "derivatives of a signal by a prescribed time; no plant, n numbers of state",
+    source: "Efimov and Orlov 2024, (10)-(13), (21), Theorem 1, with a map of its outputs that takes the lag away",
+    keys: &[
+        ("order", "2 … 8", "n: the signal and its first n-1 derivatives are estimated"),
+        countdown::TIME,
+        countdown::POLES,
+        countdown::HOLLOWAY_KRSTIC,
+        countdown::EFIMOV_ORLOV,
+        ("prediction", "\"exact\" | \"implicit-euler\"", "of the chain; the second is the paper's, and lags"),
+        countdown::AFTER,
+        countdown::STOP_BEFORE,
+        countdown::MAX_GAIN,
+        ("initial", "[n-1 numbers]", "the derivatives at the first sample, as far as they are known; all 0 by default"),
+    ],
+    realizations: &[("recursive", "the scaled chain is carried on from call to call, and corrected")],
+    page: include_str!("differentiator.md"),
+    read,
+};
+
+/// The highest order.
+const MOST: usize = 8;
+
+/// Bits of what is reported of one step.
+const REPORTED_BITS: usize = 512;
+
+/// Which chain predicts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Prediction {
+    /// A polynomial of degree n-1 between samples.
+    Exact,
+    /// 003 (10): derivatives are backward differences.
+    ImplicitEuler,
+}
+
+/// The method's keys.
+#[derive(Clone, Debug)]
+struct Keys {
+    order: usize,
+    prediction: Prediction,
+    initial: Option<(Vec<Quantity>, Range<usize>)>,
+    countdown: countdown::Keys,
+}
+
+fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
+    let order = read_order(table);
+    if !table.has("order") {
+        table.missing("order", "write `order = 3` for the signal and two derivatives");
+    }
+    let choices = [("exact", Prediction::Exact), ("implicit-euler", Prediction::ImplicitEuler)];
+    let prediction = table.choice("prediction", &choices, Prediction::Exact);
+    table.choice("realization", &[("auto", ()), ("recursive", ())], ());
+    let initial = table.list("initial");
+    let countdown = countdown::read(table);
+    Some(Arc::new(Keys { order: order?, prediction, initial, countdown: countdown? }))
+}
+
+fn read_order(table: &mut Table) -> Option<usize> {
+    let (number, span) = table.whole("order")?;
+    match usize::try_from(number.numerator().clone()) {
+        Ok(order @ 2..=MOST) => Some(order),
+        _ => {
+            let message = format!("`order` must be a whole number from 2 to {MOST}");
+            let error = Diagnostic::error(codes::BAD_NUMBER, span, message).measured(number.to_f64().value());
+            table.report(error.help("write `order = 3` for the signal and two derivatives"));
+            None
+        }
+    }
+}
+
+impl Keyed for Keys {
+    fn chain(&self) -> Option<usize> {
+        Some(self.order)
+    }
+
+    fn instead_of_chain(&self) -> &'static str {
+        "`[observer.prescribed-time]` has the same gains for a plant of your own, without `order`"
+    }
+
+    fn observed(&self, mut plant: Plant) -> Result<Plant, Vec<Diagnostic>> {
+        let Some((list, span)) = &self.initial else { return Ok(plant) };
+        let mut found = Vec::new();
+        let values: Vec<Option<Constant>> = list.iter().map(|q| plant.constant(q, &mut found)).collect();
+        let derivatives = self.order - 1;
+        if values.len() != derivatives {
+            let names: Vec<&str> = plant.states[1..].iter().map(|s| s.label.name.as_str()).collect();
+            let message = format!("`initial` needs {derivatives} numbers, one per derivative");
+            let error = Diagnostic::error(codes::SHAPE, span.clone(), message).measured(count(values.len()));
+            let label = format!("these are {}", values.len());
+            found.push(error.label(label).help(format!("they are of {}", List(&names))));
+        }
+        if !found.is_empty() {
+            return Err(found);
+        }
+        for (state, value) in plant.states[1..].iter_mut().zip(values.into_iter().flatten()) {
+            state.initial = value;
+        }
+        Ok(plant)
+    }
+
+    fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {
+        let countdown = self.countdown(plant)?;
+        let condition = verdict(plant, &[0], self.order, &self.countdown.time.span())?;
+        let model = |p: Precision| self.model(plant, p);
+        let law = |_: &Model, p: Precision| match countdown.rows(plant, p) {
+            Some(rows) => Ok((Law::Countdown(rows), None)),
+            None => Err(countdown::no_value(plant)),
+        };
+        let counting = countdown.counting;
+        let promise = Promise::At(promised(counting, self.order));
+        let request = Request { plant, signals: Vec::new(), counting, scaled: true, promise, model: &model, law: &law };
+        let mut built = build(&request)?;
+        built.numerics.condition = condition;
+        let last = built.schedule.lead.last();
+        let last = last.map_or(0.0, |gain| gain.iter().flatten().fold(0.0, |most: f64, x| most.max(x.abs())));
+        let mut warnings = countdown.warnings(plant, &self.countdown, last);
+        warnings.extend(weak(plant, &self.countdown, built.remaining.share));
+        warnings.extend(resolution_warnings(plant));
+        let proved = proved(plant, &countdown);
+        let mut all = constants(&built.exact.model);
+        if !self.lags() {
+            all.push(NamedMatrix {
+                letter: "M",
+                rows: output_map(self.order).iter().map(|row| doubles(row)).collect(),
+            });
+        }
+        if let Some(Some(found)) = &proved {
+            all.push(NamedMatrix { letter: "P", rows: found.p.clone() });
+        }
+        let mut notes = exponents(plant, &countdown);
+        notes.extend(proved.map(|found| inequalities(plant, &countdown, found.as_ref())));
+        notes.push(self.model_note(plant));
+        Ok(Design {
+            method: METHOD.name,
+            realization: "recursive",
+            summary: summary(plant, counting),
+            window_steps: counting.steps,
+            valid_from_step: built.corrector.valid,
+            convergence: if exactly(counting) { Convergence::Finite } else { built.convergence },
+            realizations: Vec::new(),
+            notes,
+            constants: all,
+            fir: None,
+            certificate: self.certificate(built.certificate),
+            numerics: built.numerics,
+            warnings,
+            shape: Shape::Corrector(Box::new(built.corrector)),
+        })
+    }
+
+    fn at(&self, plant: &Plant, step: usize) -> Result<Moment, String> {
+        let no_value = || "a constant of the gain law has no usable value".to_owned();
+        let countdown = self.countdown(plant).map_err(|_| no_value())?;
+        let left = countdown.left_at(step)?;
+        let precision = Precision::bits(REPORTED_BITS);
+        let h = plant.sample_time.0.evaluate(precision).ok().and_then(|h| h.to_rational());
+        let rows = countdown.rows(plant, precision);
+        let euler = h.zip(rows).and_then(|(h, rows)| ImplicitEuler::new(&gains(&rows, left)?, &h));
+        let euler = euler.ok_or_else(no_value)?;
+        let column = |entries: &[Rational]| entries.iter().map(|x| vec![x.to_f64().value()]).collect();
+        let o = euler.o.map_or(f64::INFINITY, |o| o.to_f64().value());
+        let matrices = vec![
+            NamedMatrix { letter: "Z", rows: euler.z.iter().map(|row| doubles(row)).collect() },
+            NamedMatrix { letter: "F", rows: column(&euler.f) },
+            NamedMatrix { letter: "O", rows: vec![vec![o]] },
+        ];
+        Ok(Moment { step, left, in_use: left >= countdown.counting.stop, matrices })
+    }
+}
+
+impl Keys {
+    fn countdown(&self, plant: &Plant) -> Result<Countdown, Vec<Diagnostic>> {
+        let mut found = refuse_unknowns(plant, METHOD.name);
+        refuse_delays(plant, METHOD.name, &mut found);
+        if self.countdown.after.0 == After::Handover {
+            let message = "the method `differentiator` has no steady gain to hand over to";
+            let error = Diagnostic::error(codes::METHOD_CANNOT, self.countdown.after.1.clone(), message);
+            found.push(
+                error.help(
+                    "keep the last gain by `after = \"hold\"`, or use `prescribed-time` with the chain as a plant",
+                ),
+            );
+        }
+        let countdown = Countdown::new(plant, &self.countdown, &mut found);
+        countdown.filter(|_| found.is_empty()).ok_or(found)
+    }
+
+    /// Whether derivatives are backward differences: with two states those are the exact chain's.
+    fn lags(&self) -> bool {
+        self.prediction == Prediction::ImplicitEuler && self.order > 2
+    }
+
+    /// The chain from one sample to the next: exactly, or by `(I - h A)^-1`.
+    fn model(&self, plant: &Plant, precision: Precision) -> Result<Model, Vec<Diagnostic>> {
+        let model = Model::new(plant, &[], precision)?;
+        if !self.lags() {
+            return Ok(model);
+        }
+        let Ok(h) = plant.sample_time.0.evaluate(precision) else { return Err(countdown::no_value(plant)) };
+        let power = |exponent: usize| (0..exponent).fold(Real::one(precision), |power, _| power * &h);
+        let n = self.order;
+        let phi = Matrix::from_fn(n, n, |i, j| if j >= i { power(j - i) } else { Real::zero(precision) });
+        Ok(Model { phi, ..model })
+    }
+
+    /// Without the bounds that implicit Euler's lag breaks: it grows with derivatives of which no bound is declared.
+    fn certificate(&self, mut certificate: Certificate) -> Certificate {
+        if self.lags() {
+            certificate.error_bound[1..].fill(None);
+            certificate.disturbance_gain_l1[1..].iter_mut().flatten().for_each(|gain| *gain = f64::INFINITY);
+        }
+        certificate
+    }
+
+    /// What the estimates are of a signal that is no polynomial of degree n-1.
+    fn model_note(&self, plant: &Plant) -> String {
+        let (h, n) = (plant.sample_time_s(), self.order);
+        if self.lags() {
+            let lag = show(0.5 * h);
+            return format!(
+                "derivative i lags by i times {lag} s: off by that times derivative i+1; not with `prediction = \"exact\"`"
+            );
+        }
+        let last = n - 1;
+        if plant.disturbances.is_empty() {
+            return format!(
+                "bounds are for signals whose derivative {n} is 0; declare its size in [disturbances] for any other"
+            );
+        }
+        format!("no lag in derivatives below {last}; derivative {n} reaches the estimates as its gain says")
+    }
+}
+
+fn doubles(row: &[Rational]) -> Vec<f64> {
+    row.iter().map(|x| x.to_f64().value()).collect()
+}
+
+/// The gains with `left` steps left, from `r^n c_i` by powers of r.
+fn gains(rows: &[Vec<Real>], left: usize) -> Option<Gains> {
+    let r = Rational::from(left);
+    let powers: Vec<Rational> =
+        (0..=rows.len()).scan(Rational::ONE, |power, _| Some(std::mem::replace(power, &*power * &r))).collect();
+    let value = |row: &Vec<Real>| {
+        let terms = row.iter().zip(&powers).map(|(a, power)| Some(a.to_rational()? * power));
+        terms.collect::<Option<Vec<Rational>>>().map(|terms| terms.into_iter().fold(Rational::ZERO, |sum, x| sum + x))
+    };
+    let scaled: Option<Vec<Rational>> = rows.iter().map(value).collect();
+    Some(Gains { power: powers.last()?.clone(), scaled: scaled? })
+}
+
+/// The exponent with which errors fall.
+fn exponents(plant: &Plant, countdown: &Countdown) -> Vec<String> {
+    let Some(scaled) = countdown.scaled(plant) else { return Vec::new() };
+    let (mu, least) = (short(margin(&scaled)), countdown.order - 1);
+    vec![format!(
+        "003 Theorem 1: derivative i of the error falls like (T-t)^({mu}-i); {mu} is above {least}, as it must be"
+    )]
+}
+
+/// Theorem 1's inequalities where the gains are L_i rho^i: whether they hold.
+fn proved(plant: &Plant, countdown: &Countdown) -> Option<Option<Inequalities>> {
+    let precision = Precision::bits(256);
+    let time = countdown.time.evaluate(precision).ok()?;
+    let gains: Vec<Real> = match &countdown.numbers {
+        Numbers::HollowayKrstic(..) => return None,
+        Numbers::EfimovOrlov(gains) => gains.iter().map(|l| l.evaluate(precision).ok()).collect::<Option<_>>()?,
+        Numbers::Poles(_) => {
+            let scaled = countdown.scaled(plant)?;
+            let mut power = Real::one(precision);
+            let of = |lambda: &Rational| {
+                power = &power * &time;
+                &Real::from_rational(lambda, precision) / &power
+            };
+            scaled.iter().map(of).collect()
+        }
+    };
+    Some(Inequalities::new(&gains, &time))
+}
+
+/// What Theorem 1's inequalities come to.
+fn inequalities(plant: &Plant, countdown: &Countdown, found: Option<&Inequalities>) -> String {
+    let half = 0.5 * countdown.time.to_f64().unwrap_or(f64::NAN);
+    match found {
+        Some(found) => format!(
+            "003 Theorem 1: holds with P, gamma_1 = {} and gamma_2 = {}, in units in which P's smallest eigenvalue is 1",
+            short(found.gamma_1),
+            short(found.gamma_2)
+        ),
+        None => format!(
+            "003 Theorem 1: its inequalities have no solution, as they ask for an exponent above T/2 = {}; errors of `{}` \
+             vanish at T all the same",
+            show(half),
+            plant.outputs[0].label.name
+        ),
+    }
+}
