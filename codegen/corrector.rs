@@ -18,13 +18,15 @@
 //! its gain by call in [`schedule`], and one function in `lower/gain.rs`.
 //!
 //! [`exact`] has the numbers at one precision, [`settle`] rounds them once, [`schedule`] has the gain of every call in
-//! doubles for [`certificate`], [`guard`] bounds what may enter, [`lower`] writes the step.
+//! doubles for [`errors`] and [`certificate`], [`guard`] bounds what may enter, [`lower`] writes the step.
 
 pub mod certificate;
 pub mod chain;
 pub mod design;
+pub mod errors;
 pub mod exact;
 pub mod guard;
+pub mod holloway_krstic;
 pub mod law;
 pub mod lower;
 pub mod schedule;

@@ -64,27 +64,6 @@ pub(crate) fn orthonormalised(columns: &Rows) -> Rows {
     transposed(&basis)
 }
 
-/// A square factor with the same product with its own transpose: rows in terms of the orthonormal ones before them.
-pub(crate) fn lower_factor(a: &Rows) -> Rows {
-    let mut basis: Vec<Vec<f64>> = Vec::new();
-    let mut factor = vec![vec![0.0; a.len()]; a.len()];
-    for (i, row) in a.iter().enumerate() {
-        let mut rest = row.clone();
-        // Twice for the digits.
-        for _ in 0..2 {
-            for (j, unit) in basis.iter().enumerate() {
-                let share = dot(unit, &rest);
-                factor[i][j] += share;
-                rest.iter_mut().zip(unit).for_each(|(x, u)| *x -= share * u);
-            }
-        }
-        let size = dot(&rest, &rest).sqrt();
-        factor[i][i] = size;
-        basis.push(rest.iter().map(|x| if size > 0.0 { x / size } else { 0.0 }).collect());
-    }
-    factor
-}
-
 /// What a reset takes of z1 and z2: I + X and -X.
 pub(crate) fn both(x: &Rows) -> [Rows; 2] {
     let mut first = x.clone();

@@ -56,10 +56,11 @@ mod tests {
         let p = Precision::bits(512);
         for n in 2..=8_i64 {
             let size = usize::try_from(n).unwrap();
-            // A full matrix with eigenvalues of all kinds, none at 0.
+            // A full matrix without structure.
+            let mut seed = 12_345_i64;
             let phi = Matrix::from_fn(size, size, |i, j| {
-                let (i, j) = (i64::try_from(i).unwrap(), i64::try_from(j).unwrap());
-                let entry = (7 * i + 3 * j + i * j) % 11 - 5 + 9 * i64::from(i == j);
+                seed = (seed * 1_103_515_245 + 12_345) % (1 << 31);
+                let entry = (seed >> 16) % 21 - 10 + 9 * i64::from(i == j);
                 &Real::from_i64(entry, p) / &Real::from_i64(8 + n, p)
             });
             let c = Matrix::from_fn(1, size, |_, j| Real::from_i64(1 + i64::try_from(j).unwrap() % 3, p));

@@ -1,6 +1,6 @@
 //! From a law to a settled corrector with its certificate: what every method of this shape does.
 
-use super::certificate::{Errors, Remaining};
+use super::errors::{Errors, Remaining};
 use super::exact::{Exact, Law};
 use super::schedule::Schedule;
 use super::settle::settle;
@@ -95,7 +95,7 @@ fn contracted(plant: &Plant, signals: &[Signal], exact: &Exact, counting: Counti
     let radius = errors.radius();
     let most = MOST_CALLS / plant.states.len().pow(3).max(1);
     let found = if radius < 1.0 { errors.reaches(CONTRACTED, most) } else { None };
-    found.map(|(call, _)| call).ok_or_else(|| {
+    found.ok_or_else(|| {
         let message = "the estimation error does not die out";
         let error = Diagnostic::error(codes::METHOD_CANNOT, plant.span.clone(), message).measured(radius);
         let label = format!("a call leaves {} of it in the long run", crate::describe::short(radius));
