@@ -3,10 +3,16 @@
 //! A method is one file: what it is, its keys, its design. It reads its own table of the
 //! specification ([`Method::read`]) and gives something that designs ([`Keyed`]).
 
+mod constant;
 pub mod countdown;
 pub mod differentiator;
+pub mod high_gain;
 pub mod impulsive;
+pub mod kalman;
+pub mod luenberger;
+mod noise;
 pub mod parameters;
+mod poles;
 pub mod prescribed_time;
 pub mod single_delay;
 pub mod window;
@@ -27,6 +33,9 @@ pub const METHODS: &[Method] = &[
     parameters::METHOD,
     prescribed_time::METHOD,
     differentiator::METHOD,
+    luenberger::METHOD,
+    kalman::METHOD,
+    high_gain::METHOD,
 ];
 
 /// What a user can name in `[observer.<name>]`.

@@ -57,7 +57,7 @@ scalar = 'f64'
 fn radius(generated: &Generated) -> f64 {
     match generated.design.convergence {
         Convergence::Geometric { radius, .. } => radius,
-        Convergence::Finite => panic!("a convergence in finite time"),
+        Convergence::Finite | Convergence::Prescribed { .. } => panic!("a convergence by a call"),
     }
 }
 

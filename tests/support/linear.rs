@@ -62,6 +62,11 @@ impl Linear {
 
     /// The specification; `observer` is a table's name with its keys beside the window, a line each.
     pub fn text(&self, observer: &str) -> String {
+        self.specification(&format!("{observer}\nwindow = {}", self.steps as f64 * self.h))
+    }
+
+    /// The specification; `observer` is a table's name with its keys, a line each.
+    pub fn specification(&self, observer: &str) -> String {
         let mut text = "deadbeat = 1\nname = 'random'\n".to_owned();
         let row = |row: Vec<f64>| format!("[{}]", row.iter().map(f64::to_string).collect::<Vec<_>>().join(", "));
         let rows =
@@ -110,8 +115,7 @@ impl Linear {
             let entries: Vec<String> = [value, late, noise].into_iter().filter(|s| !s.is_empty()).collect();
             let _ = writeln!(text, "y{} = {{ {} }}", o + 1, entries.join(", "));
         }
-        let (window, h) = (self.steps as f64 * self.h, self.h);
-        let _ = writeln!(text, "{observer}\nwindow = {window}\n[target]\nsample_time = {h}\nscalar = 'f64'");
+        let _ = writeln!(text, "{observer}\n[target]\nsample_time = {}\nscalar = 'f64'", self.h);
         text
     }
 

@@ -19,12 +19,14 @@ pub fn truth(name: &str) -> Option<Truth> {
             Truth { start: vec![(290.0, 310.0), (-0.05, 0.05), (0.0, 0.0)], ..integrators(&[0.0; 3]) }
         }
         "drive_irregular" => drive_irregular(),
+        "drive_prescribed" => drive_prescribed(),
         "inverted_cart" => inverted_cart(0.3),
         "late_position" => late_position(0.4),
         "long_window" => long_window(),
         "magnetic_levitation" => magnetic_levitation(),
         "mass_chain" => mass_chain(),
-        "pendulum" | "pendulum_single_delay" | "pendulum_impulsive" => pendulum(),
+        "oscillator" => oscillator(),
+        "pendulum" | "pendulum_single_delay" | "pendulum_impulsive" | "pendulum_prescribed" => pendulum(),
         "pendulum_discrete" => pendulum_discrete(),
         "small_memory" => small_memory(),
         "thermal_stack" => thermal_stack(),
@@ -50,6 +52,16 @@ pub fn names() -> Vec<String> {
 pub fn names_of(method: &str) -> Vec<String> {
     let uses = |name: &String| corpus(name).lines().any(|line| line.trim() == format!("[observer.{method}]"));
     names().into_iter().filter(uses).collect()
+}
+
+/// The methods that predict and correct.
+const CORRECTORS: [&str; 7] =
+    ["prescribed-time", "differentiator", "luenberger", "kalman", "high-gain", "fixed-time-linear", "robust-exact"];
+
+/// Whether a specification's method predicts and corrects.
+pub fn corrects(name: &str) -> bool {
+    let of = |method: &&str| corpus(name).lines().any(|line| line.trim() == format!("[observer.{method}]"));
+    CORRECTORS.iter().any(|method| of(&method))
 }
 
 fn dc_motor() -> Truth {
@@ -95,6 +107,33 @@ fn drive_irregular() -> Truth {
         holds: vec![Hold::Zero],
         start: vec![(-2.0, 2.0), (-3.0, 3.0), (-1.0, 1.0)],
         input: vec![(-10.0, 10.0)],
+        exact: true,
+    }
+}
+
+/// Without the load's eccentricity.
+fn drive_prescribed() -> Truth {
+    Truth {
+        change: Box::new(|_, x, u| {
+            let shaft = 400.0 * (x[0] - x[1]) + 0.2 * (x[2] - x[3]);
+            vec![x[2], x[3], (u[0] - shaft) / 0.01, shaft / 0.05]
+        }),
+        outputs: Box::new(|x| vec![x[0]]),
+        delays: vec![0.0],
+        exact: true,
+        ..two_mass_drive()
+    }
+}
+
+fn oscillator() -> Truth {
+    Truth {
+        discrete: false,
+        change: Box::new(|_, x, u| vec![x[1], u[0] - 0.4 * x[1] - 25.0 * x[0]]),
+        outputs: Box::new(|x| vec![x[0]]),
+        delays: vec![0.0],
+        holds: vec![Hold::Zero],
+        start: vec![(-0.5, 0.5), (-2.0, 2.0)],
+        input: vec![(-3.0, 3.0)],
         exact: true,
     }
 }
