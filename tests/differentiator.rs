@@ -172,8 +172,8 @@ fn derivatives_have_their_orders() {
             println!("n = {order}, {prediction}: {coarse:.3?}, orders {orders:.2?}");
             for (i, found) in (1..order).zip(&orders) {
                 let expected = if prediction == "exact" { (order - i) as f64 } else { 1.0 };
-                // The next term of the error is 7 h/2 of it, for a wave of 7 rad/s: 0.03 at these steps, and 5 such at most.
-                assert!((found - expected).abs() <= 0.15, "n = {order}, {prediction}, derivative {i}: {found}");
+                // The next term is (7 h)^2 of the error, for a wave of 7 rad/s: 0.5 % at most, and sums over 2 s hide less.
+                assert!((found - expected).abs() <= 0.03, "n = {order}, {prediction}, derivative {i}: {found}");
             }
         }
     }
@@ -252,21 +252,21 @@ fn both_predictions_are_one_for_two_states() {
     assert_eq!(exact.design.certificate.error_bound, euler.design.certificate.error_bound);
 }
 
-/// 30,000 steps to T in single precision at order 8, down to T itself: every estimate is finite, and the gains are not
+/// 20,000 steps to T, the most there can be, in single precision at order 8, down to T itself: every estimate is finite, and the gains are not
 /// lost on the way: the signal is followed to rounding at T.
 #[test]
 fn the_longest_countdowns_stay_within_singles() {
-    for (order, stop, after) in [(8, 0, "hold"), (8, 3000, "restart"), (3, 0, "hold")] {
-        let keys = format!("time = 300\nstop_before = {stop}\nafter = '{after}'");
+    for (order, stop, after) in [(8, 0, "hold"), (8, 2000, "restart"), (3, 0, "hold")] {
+        let keys = format!("time = 200\nstop_before = {stop}\nafter = '{after}'");
         let text = spec(order, &keys, "0.01", "f32");
         let generator = Generator::new(&text, "test.toml").with(Settings { scalar: Some(Scalar::F32) });
         let generated = generator.design().unwrap_or_else(|report| panic!("{}", report.render(false)));
-        let samples: Vec<f64> = (0..61_000_u32).map(|k| f64::from((f64::from(k) * 1e-3).sin() as f32)).collect();
+        let samples: Vec<f64> = (0..41_000_u32).map(|k| f64::from((f64::from(k) * 1e-3).sin() as f32)).collect();
         let (estimates, statuses) = fed(&generated, &samples);
         assert!(estimates.iter().flatten().all(|x| x.is_finite()), "order {order}");
         assert_eq!(statuses.last(), Some(&Status::Converged));
         if stop == 0 {
-            for k in 30_000..samples.len() {
+            for k in 20_000..samples.len() {
                 // kappa_1 = 1 at r = 0: y is the sample, but for the rounding of a sum of up to 2^(n-1) of its size.
                 let slack = f64::from(f32::EPSILON) * power(2.0, order);
                 assert!((estimates[k][0] - samples[k]).abs() <= slack, "order {order}, call {k}");
