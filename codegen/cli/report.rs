@@ -30,6 +30,7 @@ pub fn json(generated: &Generated) -> Value {
     let convergence = match design.convergence {
         Convergence::Finite => json!({ "radius": 0.0, "period": design.window_steps }),
         Convergence::Geometric { radius, period } => json!({ "radius": radius, "period": period }),
+        Convergence::Sensed { calls, innovation } => json!({ "calls_within": calls, "innovation": innovation }),
         Convergence::Prescribed { left } => json!({ "initial_error_left": left }),
     };
     let realizations: Vec<Value> = design.realizations.iter().map(realization).collect();
@@ -165,7 +166,7 @@ fn matrices(text: &mut String, all: &[NamedMatrix]) {
 /// The gains at one step for people.
 pub fn moment(moment: &Moment) -> String {
     let used = if moment.in_use { "" } else { "; the observer's countdown stops before it" };
-    let mut text = format!("Step {}, {} before the prescribed time{used}\n", moment.step, moment.left);
+    let mut text = format!("Step {}, {} steps before the prescribed time{used}\n", moment.step, moment.left);
     matrices(&mut text, &moment.matrices);
     text
 }

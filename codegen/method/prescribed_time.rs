@@ -13,6 +13,7 @@
 
 mod filter;
 
+use std::ops::Range;
 use std::sync::Arc;
 
 use super::countdown::{self, Countdown};
@@ -29,6 +30,7 @@ use crate::diagnostic::{Diagnostic, codes};
 use crate::expr::List;
 use crate::plant::Plant;
 use crate::real::{Matrix, Precision};
+use crate::spec::Quantity;
 use crate::spec::reader::Table;
 use crate::window::model::{Model, signals};
 use crate::window::{count, seconds, trimmed};
@@ -47,6 +49,7 @@ pub const METHOD: Method = Method {
         countdown::AFTER,
         countdown::STOP_BEFORE,
         countdown::MAX_GAIN,
+        countdown::INITIAL,
         noise::KEYS[0],
         noise::KEYS[1],
         noise::KEYS[2],
@@ -61,9 +64,12 @@ pub const METHOD: Method = Method {
 struct Keys {
     countdown: countdown::Keys,
     filter: filter::Keys,
+    initial: Option<(Vec<Quantity>, Range<usize>)>,
 }
 
 fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
+    let initial = table.list("initial");
+    table.choice("realization", &[("auto", ()), ("recursive", ())], ());
     let countdown = countdown::read(table);
     let filter = filter::read(table);
     let (countdown, filter) = (countdown?, filter?);
@@ -72,7 +78,7 @@ fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
         table.report(error.help("leave `kalman` or the other law out"));
         return None;
     }
-    Some(Arc::new(Keys { countdown, filter }))
+    Some(Arc::new(Keys { countdown, filter, initial }))
 }
 
 /// Where the gains come from.
@@ -118,6 +124,11 @@ impl Gains {
 }
 
 impl Keyed for Keys {
+    fn observed(&self, mut plant: Plant) -> Result<Plant, Vec<Diagnostic>> {
+        countdown::start(&mut plant, self.initial.as_ref())?;
+        Ok(plant)
+    }
+
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {
         let mut found = refuse_unknowns(plant, METHOD.name);
         refuse_delays(plant, METHOD.name, &mut found);
@@ -180,6 +191,9 @@ impl Keyed for Keys {
 
     fn at(&self, plant: &Plant, step: usize) -> Result<Moment, String> {
         let no_value = || "a constant of the gain law has no usable value".to_owned();
+        if self.filter.law_span().is_some() {
+            return Err("the law `kalman` is a table from the first sample on, not one of the steps left".to_owned());
+        }
         let countdown = Countdown::new(plant, &self.countdown, &mut Vec::new()).ok_or_else(no_value)?;
         let left = countdown.left_at(step)?;
         let precision = Precision::bits(JUDGED);

@@ -12,6 +12,12 @@ pub fn truth(name: &str) -> Option<Truth> {
     Some(match name {
         "dc_motor" | "motor_single_delay" | "motor_intermittent" | "motor_recursive" | "luenberger" => dc_motor(),
         "motor_continuous" => smooth_motor(),
+        "differentiator" => integrators(&[2.0, 3.0, 5.0, 5.0]),
+        "differentiator_encoder" => integrators(&[0.5, 2.0, 5.0]),
+        // A ramp, whose backward differences are its derivatives.
+        "differentiator_euler" => {
+            Truth { start: vec![(290.0, 310.0), (-0.05, 0.05), (0.0, 0.0)], ..integrators(&[0.0; 3]) }
+        }
         "drive_irregular" => drive_irregular(),
         "drive_prescribed" => drive_prescribed(),
         "inverted_cart" => inverted_cart(0.3),
@@ -19,7 +25,7 @@ pub fn truth(name: &str) -> Option<Truth> {
         "long_window" | "high_gain" => long_window(),
         "magnetic_levitation" => magnetic_levitation(),
         "mass_chain" => mass_chain(),
-        "oscillator" => oscillator(),
+        "oscillator" | "oscillator_kalman" | "oscillator_handover" => oscillator(),
         "pendulum" | "pendulum_single_delay" | "pendulum_impulsive" | "pendulum_prescribed" | "kalman" => pendulum(),
         "pendulum_discrete" => pendulum_discrete(),
         "small_memory" => small_memory(),
@@ -76,6 +82,20 @@ fn dc_motor() -> Truth {
 /// Without a voltage: only between jumps of an input is the arm's motion as smooth as a cubic takes it to be.
 fn smooth_motor() -> Truth {
     Truth { input: vec![(0.0, 0.0)], ..dc_motor() }
+}
+
+/// A polynomial and its derivatives, which start within these.
+fn integrators(start: &[f64]) -> Truth {
+    Truth {
+        discrete: false,
+        change: Box::new(|_, x, _| x[1..].iter().copied().chain([0.0]).collect()),
+        outputs: Box::new(|x| vec![x[0]]),
+        delays: vec![0.0],
+        holds: vec![],
+        start: start.iter().map(|most| (-most, *most)).collect(),
+        input: vec![],
+        exact: true,
+    }
 }
 
 fn drive_irregular() -> Truth {

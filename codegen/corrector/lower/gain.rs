@@ -3,7 +3,7 @@
 use crate::design::Settled;
 use crate::program::Value;
 
-use super::super::{After, Corrector, Frame, Gain, Polynomials, Spread};
+use super::super::{After, Corrector, Frame, Gain, Polynomials, Spread, guard};
 use super::{Lowering, calls};
 
 impl Lowering<'_> {
@@ -18,6 +18,11 @@ impl Lowering<'_> {
             (Gain::Countdown(law), Some(left)) => {
                 let kappa = self.by_countdown(law, left, innovation[0]);
                 self.spread(kappa, innovation[0])
+            }
+            (Gain::Sliding { law, .. }, _) => {
+                let largest = self.guard.bound * guard::innovation(self.plant, design);
+                let corrections = law.corrections(&mut self.builder, innovation[0], largest);
+                self.spread(corrections, innovation[0])
             }
             (Gain::Table(_) | Gain::Countdown(_), None) => unreachable!("these follow a countdown"),
         };
@@ -51,7 +56,7 @@ impl Lowering<'_> {
         });
         let names = names.collect();
         let values = rows.iter().rev().map(|k| k.iter().flatten().map(|x| x.value(scalar)).collect()).collect();
-        let table = self.builder.table("gains", "gain by calls of the countdown that are left", names, values);
+        let table = self.builder.table("GAINS", "gain by calls of the countdown that are left", names, values);
         let row = self.builder.at_most(left, calls(rows.len() - 1));
         let outputs = innovation.len();
         let each = (0..self.plant.states.len()).map(|i| {
