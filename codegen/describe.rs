@@ -156,6 +156,11 @@ fn converged(generated: &Generated) -> String {
         Convergence::Finite => {
             format!("Converged  from call {} ({time} s after the first), whatever the initial state", step + 1)
         }
+        Convergence::Geometric { radius, period: 1 } => format!(
+            "Converged  from call {} ({time} s after the first) to 1e-6 of the initial error; by {} a call",
+            step + 1,
+            short(radius)
+        ),
         Convergence::Geometric { radius, period } => format!(
             "Converged  from call {} ({time} s after the first) to 1e-6 of the initial error; by {} every {period} calls",
             step + 1,

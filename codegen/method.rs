@@ -3,12 +3,18 @@
 //! A method is one file: what it is, its keys, its design. It reads its own table of the
 //! specification ([`Method::read`]) and gives something that designs ([`Keyed`]).
 
+mod constant;
 pub mod countdown;
 pub mod differentiator;
 pub mod fixed_time_linear;
+pub mod high_gain;
 pub mod impulsive;
+pub mod kalman;
+pub mod luenberger;
+mod noise;
 pub mod order;
 pub mod parameters;
+mod poles;
 pub mod prescribed_time;
 pub mod robust_exact;
 pub mod single_delay;
@@ -30,6 +36,9 @@ pub const METHODS: &[Method] = &[
     parameters::METHOD,
     prescribed_time::METHOD,
     differentiator::METHOD,
+    luenberger::METHOD,
+    kalman::METHOD,
+    high_gain::METHOD,
     fixed_time_linear::METHOD,
     robust_exact::METHOD,
 ];

@@ -36,10 +36,10 @@ pub mod singular;
 pub mod solve;
 
 pub use agreement::{Agreement, compare};
-pub use balance::equilibrated_columns;
+pub use balance::{balanced, equilibrated_columns, unbalanced};
 pub use elementary::Undefined;
 pub use exponential::{NormTooLarge, exponential, first_order_hold, third_order_hold, zero_order_hold};
-pub use gramian::gramian;
+pub use gramian::{gramian, weighted_gramian};
 pub use matrix::Matrix;
 pub use number::{Precision, Real};
 pub use orthogonal::{RankDeficient, least_squares, orthonormal, pseudo_inverse};

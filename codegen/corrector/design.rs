@@ -59,6 +59,8 @@ pub struct Built {
 
 /// The longest a convergence may take, in calls.
 const MOST_CALLS: usize = 1_000_000;
+/// Multiplications spent on finding out.
+const MOST_WORK: usize = 400_000_000;
 
 /// Designs, rounds and certifies.
 ///
@@ -88,19 +90,44 @@ pub fn build(request: &Request) -> Result<Built, Vec<Diagnostic>> {
     Ok(Built { corrector, exact, schedule, certificate, numerics, convergence, remaining })
 }
 
-/// The call at which a constant gain has made the initial error small enough.
+/// Rounds of the search for the call, each over the calls that the one before found.
+const ROUNDS: usize = 8;
+
+/// The call at which a constant gain has made the initial error small enough: in the size that is taken over as many
+/// calls, so that it is found by rounds, and then from above.
 fn contracted(plant: &Plant, signals: &[Signal], exact: &Exact, counting: Counting) -> Result<usize, Vec<Diagnostic>> {
-    let schedule = Schedule::new(exact, counting, 0);
-    let errors = Errors::new(plant, signals, exact, &schedule).ok_or_else(|| unobservable(plant))?;
-    let radius = errors.radius();
-    let most = MOST_CALLS / plant.states.len().pow(3).max(1);
-    let found = if radius < 1.0 { errors.reaches(CONTRACTED, most) } else { None };
-    found.ok_or_else(|| {
-        let message = "the estimation error does not die out";
-        let error = Diagnostic::error(codes::METHOD_CANNOT, plant.span.clone(), message).measured(radius);
-        let label = format!("a call leaves {} of it in the long run", crate::describe::short(radius));
-        vec![error.label(label).help("a larger gain, faster poles, or process noise on the slow states")]
-    })
+    let over = |calls: usize| Schedule::new(exact, counting, calls);
+    let most = MOST_CALLS.min(MOST_WORK / plant.states.len().pow(3).max(1));
+    let mut valid = 0;
+    for round in 0..=ROUNDS {
+        let schedule = over(valid);
+        let errors = Errors::new(plant, signals, exact, &schedule).ok_or_else(|| unobservable(plant))?;
+        let radius = errors.radius();
+        if radius >= 1.0 {
+            let label = format!("a call leaves {} of it in the long run", crate::describe::short(radius));
+            return Err(vec![grows(plant, "the estimation error does not die out", radius).label(label)]);
+        }
+        let Some(found) = errors.reaches(CONTRACTED, most) else {
+            let label = format!("more than {most} calls; one leaves {radius} of it in the long run");
+            let message = "the estimation error dies out too slowly to be certified";
+            return Err(vec![grows(plant, message, radius).label(label)]);
+        };
+        // What is enough in the size over `valid` calls is promised only where these are as many.
+        if found == valid || round == ROUNDS {
+            valid = found.max(valid);
+            break;
+        }
+        valid = found;
+    }
+    while Errors::new(plant, signals, exact, &over(valid)).is_some_and(|e| e.remaining(valid).share > CONTRACTED) {
+        valid += 1 + valid / 100;
+    }
+    Ok(valid)
+}
+
+fn grows(plant: &Plant, message: &str, radius: f64) -> Diagnostic {
+    let error = Diagnostic::error(codes::METHOD_CANNOT, plant.span.clone(), message).measured(radius);
+    error.help("a larger gain, faster poles, or process noise on the slow states")
 }
 
 fn unobservable(plant: &Plant) -> Vec<Diagnostic> {

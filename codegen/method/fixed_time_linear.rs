@@ -83,7 +83,6 @@ impl Keyed for Keys {
         let mut warnings: Vec<Diagnostic> = noise(plant, &built.certificate).into_iter().collect();
         warnings.extend(time_warning(plant));
         warnings.extend(resolution_warnings(plant));
-        let certificate = Certificate { initial_gain: Vec::new(), ..built.certificate };
         Ok(Design {
             method: METHOD.name,
             realization: "recursive",
@@ -95,7 +94,7 @@ impl Keyed for Keys {
             notes: self.order.late().into_iter().collect(),
             constants: all,
             fir: None,
-            certificate,
+            certificate: built.certificate,
             numerics,
             warnings,
             shape: Shape::Corrector(Box::new(built.corrector)),

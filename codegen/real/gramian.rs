@@ -2,7 +2,7 @@
 
 use super::exponential::{NormTooLarge, exponential};
 use super::matrix::Matrix;
-use super::number::{Real, count};
+use super::number::{Precision, Real, count};
 
 /// The integral over `r` from `-tau` to `0` of `exp(a' r) c' c exp(a r)`: how well the outputs
 /// `y = c x` of the last `tau` determine the state now. `a` is `n x n`, `c` is `q x n`, the
@@ -21,7 +21,39 @@ use super::number::{Real, count};
 pub fn gramian(a: &Matrix, c: &Matrix, tau: &Real) -> Result<Matrix, NormTooLarge> {
     let n = a.rows();
     assert_eq!((a.cols(), c.cols()), (n, n), "a square matrix and as many output columns");
-    let p = a.precision().max(c.precision()).max(tau.precision());
+    // The result is linear in tau c'c: it enters the exponential at order one.
+    let magnitude = c.max_abs().top().unwrap_or(0);
+    integral(a, c.precision(), tau, 2 * magnitude, |working| {
+        let c = c.with_precision(working).shifted(-magnitude);
+        &c.transpose() * &c
+    })
+}
+
+/// [`gramian`] with the symmetric `weight`, `n x n`, in place of `c'c`.
+///
+/// # Errors
+/// [`NormTooLarge`] as in [`exponential`].
+///
+/// # Panics
+/// If the shapes do not fit.
+pub fn weighted_gramian(a: &Matrix, weight: &Matrix, tau: &Real) -> Result<Matrix, NormTooLarge> {
+    let n = a.rows();
+    assert_eq!((a.cols(), weight.rows(), weight.cols()), (n, n, n), "two square matrices of one size");
+    let magnitude = weight.max_abs().top().unwrap_or(0);
+    integral(a, weight.precision(), tau, magnitude, |working| weight.with_precision(working).shifted(-magnitude))
+}
+
+/// The integral of `exp(a' r) weight exp(a r)` from `-tau` to 0 times `2^magnitude`; `weight` at the precision it is
+/// asked for.
+fn integral(
+    a: &Matrix,
+    precision: Precision,
+    tau: &Real,
+    magnitude: i64,
+    weight: impl Fn(Precision) -> Matrix,
+) -> Result<Matrix, NormTooLarge> {
+    let n = a.rows();
+    let p = a.precision().max(precision).max(tau.precision());
     let (balanced, _) = super::balance::balanced(&a.scale(tau));
     let growth = match balanced.norm_1().top() {
         Some(top) if top > 12 => return Err(NormTooLarge),
@@ -29,24 +61,21 @@ pub fn gramian(a: &Matrix, c: &Matrix, tau: &Real) -> Result<Matrix, NormTooLarg
         _ => 3,
     };
     let working = p.plus(count(growth) + 40);
-    // The result is linear in tau c'c: it enters the exponential at order one.
-    let magnitude = c.max_abs().top().unwrap_or(0);
-    let (a, c) = (a.with_precision(working), c.with_precision(working).shifted(-magnitude));
+    let a = a.with_precision(working);
     let mut block = Matrix::zeros(2 * n, 2 * n, working);
     block.set_block(0, 0, &a.transpose().scale(tau));
-    block.set_block(0, n, &(&c.transpose() * &c));
+    block.set_block(0, n, &weight(working));
     block.set_block(n, n, &-&a.scale(tau));
     let result = exponential(&block)?;
     let backward = result.block(n..2 * n, n..2 * n);
     let gramian = &backward.transpose() * &result.block(0..n, n..2 * n);
-    let symmetric = (&gramian + &gramian.transpose()).scale(tau).shifted(2 * magnitude - 1);
+    let symmetric = (&gramian + &gramian.transpose()).scale(tau).shifted(magnitude - 1);
     Ok(symmetric.with_precision(p))
 }
 
 #[cfg(test)]
 mod tests {
     use super::super::matrix::tests::{arbitrary, distance, fractions};
-    use super::super::number::Precision;
     use super::*;
 
     /// `A'G + GA = C'C - exp(-A' tau) C'C exp(-A tau)`, evaluated at high precision.

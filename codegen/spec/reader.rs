@@ -180,6 +180,44 @@ impl<'a> Table<'a> {
         numbers.into_iter().collect()
     }
 
+    /// Whether a key is there and the first entry of its value is a list, without reading it.
+    pub fn has_rows(&self, key: &str) -> bool {
+        let value = self.entries.get(key).map(Spanned::get_ref);
+        matches!(value, Some(DeValue::Array(items)) if matches!(items.first().map(Spanned::get_ref), Some(DeValue::Array(_))))
+    }
+
+    /// A truth value, if the key is there.
+    pub fn flag(&mut self, key: &str) -> Option<bool> {
+        let value = self.ask(key)?;
+        let DeValue::Boolean(flag) = value.get_ref() else {
+            self.wrong_type(value, key, "`true` or `false`");
+            return None;
+        };
+        Some(*flag)
+    }
+
+    /// A list of numbers and of pairs of them, each with its place, if the key is there: numbers in the plane.
+    pub fn complex_list(&mut self, key: &str) -> Option<Vec<(Vec<Quantity>, Range<usize>)>> {
+        let value = self.ask(key)?;
+        let DeValue::Array(items) = value.get_ref() else {
+            self.wrong_type(value, key, "a list of numbers, or of pairs `[re, im]`");
+            return None;
+        };
+        let one = |item: &Spanned<DeValue<'a>>| {
+            let parts = match item.get_ref() {
+                DeValue::Array(parts) if parts.len() == 2 => self.as_list(item, key)?,
+                DeValue::Array(_) => {
+                    self.wrong_type(item, key, "a list of numbers, or of pairs `[re, im]`");
+                    return None;
+                }
+                _ => vec![self.as_quantity(item, key)?],
+            };
+            Some((parts, item.span()))
+        };
+        let numbers: Vec<Option<_>> = items.iter().map(one).collect();
+        numbers.into_iter().collect()
+    }
+
     /// A matrix as nested lists, if the key is there; rows may still differ in length.
     pub fn matrix(&mut self, key: &str) -> Option<(Vec<Vec<Quantity>>, Range<usize>)> {
         let value = self.ask(key)?;

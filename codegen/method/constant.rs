@@ -1,0 +1,85 @@
+//! What all methods with a constant gain do: refuse what the shape cannot take, build, report.
+
+use super::prescribed_time::{refuse_delays, refuse_several_outputs};
+use super::window::{constants, refuse_unknowns, resolution_warnings, time_warning, verdict};
+use crate::corrector::design::{Built, Promise, Request, build};
+use crate::corrector::exact::{Exact, Law};
+use crate::corrector::{Counting, Gain};
+use crate::design::{Design, NamedMatrix, Settled, Shape};
+use crate::diagnostic::Diagnostic;
+use crate::plant::Plant;
+use crate::real::Precision;
+use crate::window::model::{Model, signals};
+
+/// How many outputs a method takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Outputs {
+    One,
+    Any,
+}
+
+/// What a method says of itself and its gain.
+pub(super) struct Asked<'a> {
+    pub(super) method: &'static str,
+    pub(super) summary: String,
+    pub(super) warnings: Vec<Diagnostic>,
+    /// The gain at one precision.
+    pub(super) law: &'a dyn Fn(&Model, Precision) -> Result<Law, Vec<Diagnostic>>,
+    /// What the method's theory says of the design.
+    pub(super) notes: &'a dyn Fn(&Exact) -> Result<Vec<String>, Vec<Diagnostic>>,
+}
+
+/// What stands against a method of this shape before its keys are read.
+pub(super) fn refuse(plant: &Plant, method: &str, outputs: Outputs) -> Vec<Diagnostic> {
+    let mut found = refuse_unknowns(plant, method);
+    refuse_delays(plant, method, &mut found);
+    if outputs == Outputs::One {
+        refuse_several_outputs(plant, method, &mut found);
+    }
+    found
+}
+
+/// The design.
+pub(super) fn design(plant: &Plant, asked: Asked) -> Result<Design, Vec<Diagnostic>> {
+    let condition = verdict(plant, &vec![0; plant.outputs.len()], plant.states.len(), &plant.span)?;
+    let signals = signals(plant);
+    let model = |p: Precision| Model::new(plant, &signals, p);
+    let law = |model: &Model, p: Precision| Ok(((asked.law)(model, p)?, None));
+    let built = build(&Request {
+        plant,
+        signals: signals.clone(),
+        counting: Counting::NONE,
+        scaled: false,
+        promise: Promise::Contracted,
+        model: &model,
+        law: &law,
+    })?;
+    let Built { corrector, exact, certificate, mut numerics, convergence, .. } = built;
+    numerics.condition = condition;
+    let notes = (asked.notes)(&exact)?;
+    let mut matrices = constants(&exact.model);
+    if let Gain::Constant(gain) = &corrector.gain {
+        let entry = |entry: &Option<Settled>| entry.unwrap_or_default().double;
+        matrices
+            .push(NamedMatrix { letter: "K", rows: gain.iter().map(|row| row.iter().map(entry).collect()).collect() });
+    }
+    let mut warnings = asked.warnings;
+    warnings.extend(time_warning(plant));
+    warnings.extend(resolution_warnings(plant));
+    Ok(Design {
+        method: asked.method,
+        realization: "recursive",
+        summary: asked.summary,
+        window_steps: corrector.valid,
+        valid_from_step: corrector.valid,
+        convergence,
+        realizations: Vec::new(),
+        notes,
+        constants: matrices,
+        fir: None,
+        certificate,
+        numerics,
+        warnings,
+        shape: Shape::Corrector(Box::new(corrector)),
+    })
+}
