@@ -234,7 +234,9 @@ fn certificate(generated: &Generated) -> Vec<String> {
         lines.push(format!("  {}", generated.design.unbounded()));
     }
     if !linear {
-        lines.push("  at every call that says it has converged; no gains: the correction is no multiple of the noise".into());
+        lines.push(
+            "  at every call that says it has converged; no gains: the correction is no multiple of the noise".into(),
+        );
     }
     if let Some(between) = generated.design.between_samples(plant) {
         lines.push(format!("  on top: {between}"));

@@ -2,7 +2,11 @@
 //! chattering, on chains and on plants; whenever its status says so the printed bound holds; backward differences are the
 //! reference's.
 
-#![allow(clippy::cast_precision_loss, clippy::cast_possible_truncation, reason = "counts of calls and orders are small")]
+#![allow(
+    clippy::cast_precision_loss,
+    clippy::cast_possible_truncation,
+    reason = "counts of calls and orders are small"
+)]
 
 #[path = "support/plant.rs"]
 mod plant;
@@ -72,7 +76,10 @@ fn it_is_exact_in_finite_time_where_the_highest_derivative_is_bounded() {
                 assert_eq!(*status, Status::Converged, "order {order}");
                 for i in 0..order {
                     let rounding = f64::EPSILON * (2.0 / h).powi(i as i32);
-                    assert!((estimate[i] - x[i]).abs() <= bounds[i] + rounding, "order {order}, {i}: {estimate:?} {x:?}");
+                    assert!(
+                        (estimate[i] - x[i]).abs() <= bounds[i] + rounding,
+                        "order {order}, {i}: {estimate:?} {x:?}"
+                    );
                 }
             }
             printed.push(bounds);
@@ -144,7 +151,11 @@ fn whenever_it_says_so_the_bound_holds() {
                     for i in 0..order {
                         let rounding = f64::EPSILON * (2.0 / h).powi(i as i32);
                         let error = (estimate[i] - x[i]).abs();
-                        assert!(error <= bounds[i] + rounding, "{order} {noise} {kind}, {i}: {error:e} {:e}", bounds[i]);
+                        assert!(
+                            error <= bounds[i] + rounding,
+                            "{order} {noise} {kind}, {i}: {error:e} {:e}",
+                            bounds[i]
+                        );
                     }
                 }
                 println!("order {order}, noise {noise:e}, kind {kind}: {converged} of 6000 converged");

@@ -149,12 +149,9 @@ mod tests {
                  [target]\nsample_time = 0.1\nscalar = 'f64'\n"
             )
         };
-        for (text, calls) in [
-            (chain(""), 3),
-            (chain("prediction = 'implicit-euler'"), 3),
-            (plant("2*a"), 2),
-            (plant("a + c"), 3),
-        ] {
+        for (text, calls) in
+            [(chain(""), 3), (chain("prediction = 'implicit-euler'"), 3), (plant("2*a"), 2), (plant("a + c"), 3)]
+        {
             let (_, design) = designed(&text).unwrap();
             assert_eq!((design.convergence, design.valid_from_step), (Convergence::Finite, calls));
         }

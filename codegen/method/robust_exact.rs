@@ -77,7 +77,8 @@ impl Keyed for Keys {
     /// The highest derivative is what the chain does not know: a disturbance, unless one is declared.
     fn observed(&self, mut plant: Plant) -> Result<Plant, Vec<Diagnostic>> {
         let lipschitz = self.lipschitz(&plant)?;
-        if let (Some(order), [output], true) = (self.order.order, plant.outputs.as_slice(), plant.disturbances.is_empty())
+        if let (Some(order), [output], true) =
+            (self.order.order, plant.outputs.as_slice(), plant.disturbances.is_empty())
         {
             let mut label = output.label.clone();
             label.name = format!("d{order}{}", label.name);
@@ -130,7 +131,10 @@ impl Keyed for Keys {
         Ok(Design {
             method: METHOD.name,
             realization: "recursive",
-            summary: format!("corrections by roots of the innovation, for a highest derivative up to {}", shown(&lipschitz)),
+            summary: format!(
+                "corrections by roots of the innovation, for a highest derivative up to {}",
+                shown(&lipschitz)
+            ),
             window_steps: n,
             valid_from_step: n,
             convergence: Convergence::Sensed { calls: n, innovation: calm.bound },
@@ -203,7 +207,11 @@ impl Keys {
             return None;
         }
         let message = "the declared disturbances are more than `lipschitz` allows for";
-        let label = format!("they move the next sample by up to {}, this corrects {} at once", short(disturbance), short(reach));
+        let label = format!(
+            "they move the next sample by up to {}, this corrects {} at once",
+            short(disturbance),
+            short(reach)
+        );
         let warning = Diagnostic::warning(codes::WEAK, self.lipschitz.span(), message).measured(disturbance / reach);
         let value = self.lipschitz(plant).ok()?.to_f64().ok()?;
         Some(warning.label(label).help(format!("`lipschitz = {}`", short(value * disturbance / reach * 1.1))))
