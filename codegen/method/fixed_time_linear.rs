@@ -46,6 +46,7 @@ struct Keys {
 }
 
 fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
+    table.choice("realization", &[("auto", ()), ("recursive", ())], ());
     Some(Arc::new(Keys { order: order::read(table, 2..=8)? }))
 }
 
