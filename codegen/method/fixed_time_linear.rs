@@ -46,6 +46,7 @@ struct Keys {
 }
 
 fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
+    table.choice("realization", &[("auto", ()), ("recursive", ())], ());
     Some(Arc::new(Keys { order: order::read(table, 2..=8)? }))
 }
 
@@ -83,7 +84,6 @@ impl Keyed for Keys {
         let mut warnings: Vec<Diagnostic> = noise(plant, &built.certificate).into_iter().collect();
         warnings.extend(time_warning(plant));
         warnings.extend(resolution_warnings(plant));
-        let certificate = Certificate { initial_gain: Vec::new(), ..built.certificate };
         Ok(Design {
             method: METHOD.name,
             realization: "recursive",
@@ -95,7 +95,7 @@ impl Keyed for Keys {
             notes: self.order.late().into_iter().collect(),
             constants: all,
             fir: None,
-            certificate,
+            certificate: built.certificate,
             numerics,
             warnings,
             shape: Shape::Corrector(Box::new(built.corrector)),

@@ -71,9 +71,9 @@ impl Order {
         Ok(model)
     }
 
-    /// What implicit Euler's estimates are besides: derivatives of the past.
+    /// What implicit Euler's estimates are besides: derivatives of the past; with two states they are the exact chain's.
     pub fn late(self) -> Option<String> {
         let text = "backward differences: the i-th derivative is i/2 samples late; `prediction = \"exact\"` is not";
-        self.euler.then(|| text.to_owned())
+        (self.euler && self.order > Some(2)).then(|| text.to_owned())
     }
 }

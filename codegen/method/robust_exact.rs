@@ -61,6 +61,7 @@ struct Keys {
 }
 
 fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
+    table.choice("realization", &[("auto", ()), ("recursive", ())], ());
     let order = order::read(table, ORDERS);
     let lipschitz = table.quantity("lipschitz");
     if lipschitz.is_none() && !table.has("lipschitz") {
