@@ -319,7 +319,7 @@ impl Countdown {
         let error = Diagnostic::error(codes::METHOD_CANNOT, span, message).measured(margin);
         let label = format!(
             "it falls like (T-t)^{}; for the last state more than (T-t)^{needed} is needed",
-            show_short(margin)
+            crate::describe::short(margin)
         );
         found.push(error.label(label).help("larger gains, a longer `time`, or `poles = { p = 10 }`"));
     }
@@ -367,10 +367,6 @@ impl Countdown {
         }
         warnings
     }
-}
-
-fn show_short(value: f64) -> String {
-    crate::describe::short(value)
 }
 
 /// An integer power.
