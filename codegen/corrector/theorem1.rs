@@ -7,7 +7,7 @@
 //! mu > T/2 and depends on the unit of time. The paper's own T = 2.5, n = 4 has T < 6, and mu = 29.9.
 //!
 //! **The inequalities.** For given L they hold for some P exactly if mu > T/2. P is taken from
-//! `(A_L - Delta + I/2)' P + P (A_L - Delta + I/2) = -W`, which leaves `Q_11 = -W`; gamma_1 and gamma_2 follow from the
+//! `(A_L - Delta + I/2)' P + P (A_L - Delta + I/2) = -W`, which leaves `Q_11 = -W`; `gamma_1` and `gamma_2` follow from the
 //! Schur complement in `Q_11`: `diag(gamma_1, gamma_2) >= [P b, -P L]' W^-1 [P b, -P L]`.
 
 use crate::real::{Matrix, Precision, Rational, Real, singular_values, solve};
@@ -92,7 +92,7 @@ fn stable(polynomial: &[Rational]) -> bool {
     true
 }
 
-/// A P, gamma_1, gamma_2 for which the inequalities hold, in the plant's units and with the smallest eigenvalue of P
+/// A P, `gamma_1`, `gamma_2` for which the inequalities hold, in the plant's units and with the smallest eigenvalue of P
 /// at 1: `|e_i| <= rho^(i-1) (rho^(-T/2) sqrt(e0' P e0) + sqrt(gamma_1 iota) |phi^(n)| + sqrt(gamma_2) |v|)`.
 #[derive(Clone, Debug)]
 pub struct Inequalities {
@@ -237,7 +237,7 @@ mod tests {
         assert!(margin(&[rational(0, 1), rational(1_000_000, 1)]) < 1.0);
     }
 
-    /// The inequality of Theorem 1 with the P, gamma_1, gamma_2 that are given: its matrix has no positive eigenvalue.
+    /// The inequality of Theorem 1 with the P, `gamma_1`, `gamma_2` that are given: its matrix has no positive eigenvalue.
     #[test]
     fn the_inequalities_hold_for_the_papers_example() {
         let l: Vec<Rational> = [46, 791, 6026, 17_160].map(Rational::from).to_vec();
