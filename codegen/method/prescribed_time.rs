@@ -18,7 +18,7 @@ use std::sync::Arc;
 
 use super::countdown::{self, Countdown};
 use super::noise;
-use super::window::{VERDICT_BITS, constants, refuse_unknowns, resolution_warnings, time_warning, verdict};
+use super::window::{constants, refuse_unknowns, resolution_warnings, time_warning, verdict};
 use super::{Keyed, Method, Moment};
 use crate::corrector::chain::Chain;
 use crate::corrector::design::{Built, Promise, Request, build};
