@@ -152,7 +152,7 @@ fn errors(order: usize, prediction: &str, h: &str) -> Vec<f64> {
     let generated = designed(&spec(order, &keys, h, "f64"));
     assert_eq!(generated.design.convergence, Convergence::Finite);
     let step: f64 = h.parse().unwrap();
-    let times: Vec<f64> = (0..).map(|k| f64::from(k) * step).take_while(|t| *t <= 4.0).collect();
+    let times: Vec<f64> = (0..=1000).map(|k| f64::from(k) * step).take_while(|t| *t <= 4.0).collect();
     let samples: Vec<f64> = times.iter().map(|t| signal(*t, 0)).collect();
     let (estimates, _) = fed(&generated, &samples);
     let late: Vec<usize> = (0..times.len()).filter(|k| times[*k] >= 2.0).collect();
@@ -261,7 +261,9 @@ fn the_longest_countdowns_stay_within_singles() {
         let text = spec(order, &keys, "0.01", "f32");
         let generator = Generator::new(&text, "test.toml").with(Settings { scalar: Some(Scalar::F32) });
         let generated = generator.design().unwrap_or_else(|report| panic!("{}", report.render(false)));
-        let samples: Vec<f64> = (0..41_000_u32).map(|k| f64::from((f64::from(k) * 1e-3).sin() as f32)).collect();
+        #[expect(clippy::cast_possible_truncation, reason = "rounding to the nearest single")]
+        let sample = |k: u32| f64::from((f64::from(k) * 1e-3).sin() as f32);
+        let samples: Vec<f64> = (0..41_000).map(sample).collect();
         let (estimates, statuses) = fed(&generated, &samples);
         assert!(estimates.iter().flatten().all(|x| x.is_finite()), "order {order}");
         assert_eq!(statuses.last(), Some(&Status::Converged));
