@@ -1,8 +1,8 @@
 //! 003 (efimov-orlov-2024-implicit-euler): the implicit Euler discretisation of a chain of n integrators with
 //! time-varying gains, in closed form and exactly.
 //!
-//! `x_{k+1} = Z (x_k + h g y_{k+1})`, `Z = (I - h (A - g C))^-1` (10), with gains g_i(t) that grow without bound
-//! towards T: L_i rho^i in 003, polynomials in rho in 004. Written with `c_i = h^i g_i`, `S_j = c_j + … + c_n`,
+//! `x_{k+1} = Z (x_k + h g y_{k+1})`, `Z = (I - h (A - g C))^-1` (10), with gains `g_i(t)` that grow without bound
+//! towards T: `L_i rho^i` in 003, polynomials in rho in 004. Written with `c_i = h^i g_i`, `S_j = c_j + … + c_n`,
 //! `kappa_j = S_j / O`:
 //!
 //! ```text
@@ -16,7 +16,7 @@
 //!
 //! **In the paper's text.** (12), (13) and the limits are right as printed. In Theorem 2 `L = U P^-1` does not conform;
 //! it is P^-1 U, as in Theorem 1. `Q_k >= 0` must read `<= 0` in both places before the Schur complement. `O(t) > 0`
-//! needs every L_i >= 0, which is more than A - L C - Delta Hurwitz asks for.
+//! needs every `L_i >= 0`, which is more than A - L C - Delta Hurwitz asks for.
 
 use crate::real::Rational;
 
@@ -25,12 +25,12 @@ use crate::real::Rational;
 pub struct Gains {
     /// r^n.
     pub power: Rational,
-    /// r^n c_i = r^n h^i g_i.
+    /// `r^n c_i = r^n h^i g_i`.
     pub scaled: Vec<Rational>,
 }
 
 impl Gains {
-    /// 003 (4): g_i = L_i (T / (T - t))^i, hence r^n c_i = L_i T^i r^(n-i).
+    /// 003 (4): `g_i = L_i (T / (T - t))^i`, hence `r^n c_i = L_i T^i r^(n-i)`.
     pub fn efimov_orlov(l: &[Rational], time: &Rational, left: &Rational) -> Self {
         let scaled = (1..=l.len()).map(|i| &l[i - 1] * power(time, i) * power(left, l.len() - i));
         Self { power: power(left, l.len()), scaled: scaled.collect() }
@@ -183,10 +183,8 @@ mod tests {
             // Of the largest entry; 5 digits are left to the elimination.
             let largest = inverted.max_abs();
             let tolerance = largest * real(&Rational::from_parts(1.into(), dashu_int::UBig::from(10_u8).pow(55)));
-            for i in 0..n {
-                for j in 0..n {
-                    assert!((inverted.get(i, j) - &real(&z[i][j])).abs() <= tolerance, "n = {n}, {i}, {j}");
-                }
+            for (entry, exact) in inverted.iter().zip(z.iter().flatten()) {
+                assert!((entry - &real(exact)).abs() <= tolerance, "n = {n}");
             }
         }
     }
@@ -206,7 +204,7 @@ mod tests {
         }
     }
 
-    /// M (I - A)^-1 = e^A M and e_1' M = e_1', exactly.
+    /// `M (I - A)^-1 = e^A M` and `e_1' M = e_1'`, exactly.
     #[test]
     fn the_output_map_is_a_similarity() {
         for n in 2..=8 {

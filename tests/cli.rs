@@ -260,6 +260,40 @@ fn design() {
     assert_ne!(double["cost"]["ram_bytes"], json["cost"]["ram_bytes"]);
 }
 
+/// Claim: `design --at` prints the gains of one step, the prescribed time included, for people and for machines; a step
+/// beyond it, and a method without such gains, are wrong usage that names the way out.
+#[test]
+fn design_at_a_step() {
+    let desk = Desk::new("at");
+    for stem in ["differentiator", "oscillator"] {
+        fs::copy(root().join(format!("specs/{stem}.toml")), desk.path(&format!("{stem}.toml"))).expect("a copy");
+    }
+    let text = desk.run("design differentiator.toml --at 250").is(0).out;
+    assert!(text.contains("Step 250, 0 steps before the prescribed time; the observer's countdown stops"), "{text}");
+    let json = desk.run("design differentiator.toml --at 250 --format json").is(0).json();
+    assert_eq!(
+        (json["step"].as_u64(), json["left"].as_u64(), json["in_use"].as_bool()),
+        (Some(250), Some(0), Some(false))
+    );
+    assert_eq!(json["Z"][1], serde_json::json!([-100.0, 0.0, 0.0, 0.0]));
+    assert_eq!(json["F"][3][0].as_f64(), Some(1e8));
+    assert!(json["O"][0][0].is_null());
+    let before = desk.run("design differentiator.toml --at 249 --format json").is(0).json();
+    assert_eq!((before["O"][0][0].as_f64(), before["in_use"].as_bool()), (Some(769_528.5), Some(true)));
+    // At T the error of the oscillator is gone after two calls, as many as it has states.
+    let json = desk.run("design oscillator.toml --at 100 --format json").is(0).json();
+    let entry = |i: usize, j: usize| json["transition"][i][j].as_f64().expect("a number");
+    for (i, j) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+        let terms = [0, 1].map(|k| entry(i, k) * entry(k, j));
+        // Of two products of rounded numbers.
+        let rounding = 4.0 * f64::EPSILON * terms.iter().map(|x| x.abs()).sum::<f64>();
+        assert!(terms.iter().sum::<f64>().abs() <= rounding, "{terms:?}");
+    }
+    assert_eq!(json["K"][0][0].as_f64(), Some(1.0));
+    desk.run("design differentiator.toml --at 251").is(3).complains(&["the prescribed time is step 250"]);
+    desk.run("design dc_motor.toml --at 3").is(3).complains(&["`differentiator` and `prescribed-time`"]);
+}
+
 /// Claim: `generate` writes both languages by default, and only files that changed.
 #[test]
 fn generate() {

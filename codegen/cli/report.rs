@@ -166,7 +166,7 @@ fn matrices(text: &mut String, all: &[NamedMatrix]) {
 /// The gains at one step for people.
 pub fn moment(moment: &Moment) -> String {
     let used = if moment.in_use { "" } else { "; the observer's countdown stops before it" };
-    let mut text = format!("Step {}, {} before the prescribed time{used}\n", moment.step, moment.left);
+    let mut text = format!("Step {}, {} steps before the prescribed time{used}\n", moment.step, moment.left);
     matrices(&mut text, &moment.matrices);
     text
 }

@@ -237,7 +237,7 @@ mod tests {
         assert!(margin(&[rational(0, 1), rational(1_000_000, 1)]) < 1.0);
     }
 
-    /// The inequality of Theorem 1 with the P, gamma_1, gamma_2 that are given: its matrix has no positive eigenvalue.
+    /// The inequality of Theorem 1 with the P, `gamma_1`, `gamma_2` that are given: its matrix has no positive eigenvalue.
     #[test]
     fn the_inequalities_hold_for_the_papers_example() {
         let l: Vec<Rational> = [46, 791, 6026, 17_160].map(Rational::from).to_vec();

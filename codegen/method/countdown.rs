@@ -61,8 +61,9 @@ pub fn start(plant: &mut Plant, initial: Option<&(Vec<Quantity>, Range<usize>)>)
     let hidden: Vec<&str> =
         plant.states.iter().filter(|s| s.measured.is_empty()).map(|s| s.label.name.as_str()).collect();
     if values.len() != hidden.len() {
-        let message =
-            format!("`initial` needs {} numbers, one per state that the first sample does not show", hidden.len());
+        let wanted = hidden.len();
+        let numbers = if wanted == 1 { "number" } else { "numbers" };
+        let message = format!("`initial` needs {wanted} {numbers}, one per state that the first sample does not show");
         let error = Diagnostic::error(codes::SHAPE, span.clone(), message).measured(count(values.len()));
         found.push(error.label(format!("these are {}", values.len())).help(format!("they are of {}", List(&hidden))));
     }
@@ -216,7 +217,8 @@ impl Countdown {
         if steps < order {
             let message = "the prescribed time is too short to show every state";
             let error = Diagnostic::error(codes::WINDOW_TOO_SHORT, span, message).measured(count(steps));
-            let label = format!("{steps} samples after the first, for {order} states");
+            let samples = if steps == 1 { "sample" } else { "samples" };
+            let label = format!("{steps} {samples} after the first, for {order} states");
             let least = show(count(order) * plant.sample_time_s());
             found.push(error.label(label).help(format!("a time of at least {least} s")));
             return None;
@@ -315,8 +317,10 @@ impl Countdown {
         };
         let message = "with these gains the error does not vanish at the prescribed time";
         let error = Diagnostic::error(codes::METHOD_CANNOT, span, message).measured(margin);
-        let label =
-            format!("it falls by (T-t)^{}, and its last derivative grows by {needed} of that", show_short(margin));
+        let label = format!(
+            "it falls like (T-t)^{}; for the last state more than (T-t)^{needed} is needed",
+            crate::describe::short(margin)
+        );
         found.push(error.label(label).help("larger gains, a longer `time`, or `poles = { p = 10 }`"));
     }
 
@@ -365,10 +369,6 @@ impl Countdown {
     }
 }
 
-fn show_short(value: f64) -> String {
-    crate::describe::short(value)
-}
-
 /// An integer power.
 fn power(x: f64, n: usize) -> f64 {
     (0..n).fold(1.0, |product, _| product * x)
@@ -383,7 +383,8 @@ fn numbers(plant: &Plant, keys: &Keys, order: usize, found: &mut Vec<Diagnostic>
         }
         Some(LawKeys::EfimovOrlov(list, span)) => {
             let values = listed(plant, list, span, ("L", order), found)?;
-            let above = values.iter().enumerate().all(|(i, v)| positive(v, &format!("L_{}", i + 1), span, found));
+            let mut each = values.iter().zip(list).enumerate();
+            let above = each.all(|(i, (v, place))| positive(v, &format!("L_{}", i + 1), &place.span(), found));
             above.then_some(Numbers::EfimovOrlov(values))
         }
         Some(LawKeys::HollowayKrstic(m, list, span)) => {
@@ -400,7 +401,8 @@ fn numbers(plant: &Plant, keys: &Keys, order: usize, found: &mut Vec<Diagnostic>
             if let Some(i) = below {
                 let message = format!("l_{} must not be below 0", i + 1);
                 let number = values[i].to_f64().unwrap_or(f64::NAN);
-                let error = Diagnostic::error(codes::BAD_NUMBER, span.clone(), message).measured(number);
+                let place = list.as_ref().map_or_else(|| span.clone(), |list| list[i].span());
+                let error = Diagnostic::error(codes::BAD_NUMBER, place, message).measured(number);
                 found.push(
                     error.help("take the coefficients of a polynomial with all roots to the left, such as [2, 1]"),
                 );

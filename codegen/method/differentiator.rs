@@ -9,19 +9,18 @@
 //!
 //! **Conditions.** One output without delay; the derivative of order n bounded, for a bound on the errors.
 
+mod notes;
+
 use std::ops::Range;
 use std::sync::Arc;
 
-use super::countdown::{self, Countdown, Numbers};
+use super::countdown::{self, Countdown};
 use super::prescribed_time::{exactly, promised, refuse_delays, summary, weak};
 use super::window::{constants, refuse_unknowns, resolution_warnings, verdict};
 use super::{Keyed, Method, Moment};
 use crate::corrector::After;
 use crate::corrector::design::{Promise, Request, build};
 use crate::corrector::exact::Law;
-use crate::corrector::theorem1::{Inequalities, margin};
-use crate::decimal::show;
-use crate::describe::short;
 use crate::design::{Certificate, Convergence, Design, NamedMatrix, Shape};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::implicit_euler::{Gains, ImplicitEuler, output_map};
@@ -135,7 +134,7 @@ impl Keyed for Keys {
         let mut warnings = countdown.warnings(plant, &self.countdown, last);
         warnings.extend(weak(plant, &self.countdown, built.remaining.share));
         warnings.extend(resolution_warnings(plant));
-        let proved = proved(plant, &countdown);
+        let proved = notes::proved(plant, &countdown);
         let mut all = constants(&built.exact.model);
         if !self.lags() {
             all.push(NamedMatrix {
@@ -146,9 +145,9 @@ impl Keyed for Keys {
         if let Some(Some(found)) = &proved {
             all.push(NamedMatrix { letter: "P", rows: found.p.clone() });
         }
-        let mut notes = exponents(plant, &countdown);
-        notes.extend(proved.map(|found| inequalities(plant, &countdown, found.as_ref())));
-        notes.push(self.model_note(plant));
+        let mut all_notes = notes::exponents(plant, &countdown);
+        all_notes.extend(proved.map(|found| notes::inequalities(plant, &countdown, found.as_ref())));
+        all_notes.push(notes::lag(plant, self.order, self.lags()));
         Ok(Design {
             method: METHOD.name,
             realization: "recursive",
@@ -157,7 +156,7 @@ impl Keyed for Keys {
             valid_from_step: built.corrector.valid,
             convergence: if exactly(counting) { Convergence::Finite } else { built.convergence },
             realizations: Vec::new(),
-            notes,
+            notes: all_notes,
             constants: all,
             fir: None,
             certificate: self.certificate(built.certificate),
@@ -230,24 +229,6 @@ impl Keys {
         }
         certificate
     }
-
-    /// What the estimates are of a signal that is no polynomial of degree n-1.
-    fn model_note(&self, plant: &Plant) -> String {
-        let (h, n) = (plant.sample_time_s(), self.order);
-        if self.lags() {
-            let lag = show(0.5 * h);
-            return format!(
-                "derivative i lags by i times {lag} s: off by that times derivative i+1; not with `prediction = \"exact\"`"
-            );
-        }
-        let last = n - 1;
-        if plant.disturbances.is_empty() {
-            return format!(
-                "bounds are for signals whose derivative {n} is 0; declare its size in [disturbances] for any other"
-            );
-        }
-        format!("no lag in derivatives below {last}; derivative {n} reaches the estimates as its gain says")
-    }
 }
 
 fn doubles(row: &[Rational]) -> Vec<f64> {
@@ -265,51 +246,4 @@ fn gains(rows: &[Vec<Real>], left: usize) -> Option<Gains> {
     };
     let scaled: Option<Vec<Rational>> = rows.iter().map(value).collect();
     Some(Gains { power: powers.last()?.clone(), scaled: scaled? })
-}
-
-/// The exponent with which errors fall.
-fn exponents(plant: &Plant, countdown: &Countdown) -> Vec<String> {
-    let Some(scaled) = countdown.scaled(plant) else { return Vec::new() };
-    let (mu, least) = (short(margin(&scaled)), countdown.order - 1);
-    vec![format!(
-        "003 Theorem 1: derivative i of the error falls like (T-t)^({mu}-i); {mu} is above {least}, as it must be"
-    )]
-}
-
-/// Theorem 1's inequalities where the gains are L_i rho^i: whether they hold.
-fn proved(plant: &Plant, countdown: &Countdown) -> Option<Option<Inequalities>> {
-    let precision = Precision::bits(256);
-    let time = countdown.time.evaluate(precision).ok()?;
-    let gains: Vec<Real> = match &countdown.numbers {
-        Numbers::HollowayKrstic(..) => return None,
-        Numbers::EfimovOrlov(gains) => gains.iter().map(|l| l.evaluate(precision).ok()).collect::<Option<_>>()?,
-        Numbers::Poles(_) => {
-            let scaled = countdown.scaled(plant)?;
-            let mut power = Real::one(precision);
-            let of = |lambda: &Rational| {
-                power = &power * &time;
-                &Real::from_rational(lambda, precision) / &power
-            };
-            scaled.iter().map(of).collect()
-        }
-    };
-    Some(Inequalities::new(&gains, &time))
-}
-
-/// What Theorem 1's inequalities come to.
-fn inequalities(plant: &Plant, countdown: &Countdown, found: Option<&Inequalities>) -> String {
-    let half = 0.5 * countdown.time.to_f64().unwrap_or(f64::NAN);
-    match found {
-        Some(found) => format!(
-            "003 Theorem 1: holds with P, gamma_1 = {} and gamma_2 = {}, in units in which P's smallest eigenvalue is 1",
-            short(found.gamma_1),
-            short(found.gamma_2)
-        ),
-        None => format!(
-            "003 Theorem 1: its inequalities have no solution, as they ask for an exponent above T/2 = {}; errors of `{}` \
-             vanish at T all the same",
-            show(half),
-            plant.outputs[0].label.name
-        ),
-    }
 }

@@ -26,11 +26,14 @@ use crate::design::{Convergence, Design, NamedMatrix, Shape};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::expr::List;
 use crate::plant::Plant;
-use crate::real::{Matrix, Precision};
+use crate::real::{Matrix, Precision, Real};
 use crate::spec::Quantity;
 use crate::spec::reader::Table;
 use crate::window::model::{Model, signals};
 use crate::window::{count, seconds, trimmed};
+
+/// Bits of what is reported of one step.
+const REPORTED_BITS: usize = 512;
 
 /// The registry's entry.
 pub const METHOD: Method = Method {
@@ -124,15 +127,15 @@ impl Keyed for Keys {
         let no_value = || "a constant of the gain law has no usable value".to_owned();
         let countdown = Countdown::new(plant, &self.countdown, &mut Vec::new()).ok_or_else(no_value)?;
         let left = countdown.left_at(step)?;
-        let precision = Precision::bits(JUDGED);
+        let precision = Precision::bits(REPORTED_BITS);
         let model = Model::new(plant, &[], precision).map_err(|_| no_value())?;
         let chain = Chain::new(&model.phi, &model.c).map_err(|error| error.to_string())?;
         let rows = countdown.rows(plant, precision).ok_or_else(no_value)?;
         let gain = &(&chain.m * &law::exact_kappa(&rows, left)) + &chain.q;
         let transition = &(&Matrix::identity(countdown.order, precision) - &(&gain * &model.c)) * &model.phi;
         let matrices = vec![
-            NamedMatrix { letter: "K", rows: gain.to_f64() },
-            NamedMatrix { letter: "transition", rows: transition.to_f64() },
+            NamedMatrix { letter: "K", rows: without_rounding(&gain) },
+            NamedMatrix { letter: "transition", rows: without_rounding(&transition) },
         ];
         Ok(Moment { step, left, in_use: left >= countdown.counting.stop, matrices })
     }
@@ -188,6 +191,13 @@ pub fn weak(plant: &Plant, keys: &countdown::Keys, left: f64) -> Option<Diagnost
             .measured(left)
             .help("a smaller `stop_before`, or larger gains such as `poles = { p = 12 }`"),
     )
+}
+
+/// In doubles; what half of the digits do not show is an exact zero that was rounded.
+fn without_rounding(matrix: &Matrix) -> Vec<Vec<f64>> {
+    let half = i64::try_from(REPORTED_BITS / 2).unwrap_or(i64::MAX);
+    let least = matrix.max_abs().shifted(-half);
+    matrix.map(|x| if x.cmp_abs(&least).is_lt() { Real::zero(x.precision()) } else { x.clone() }).to_f64()
 }
 
 /// Correctors take each sample when it is of now.

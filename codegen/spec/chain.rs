@@ -6,10 +6,11 @@
 
 use std::ops::Range;
 
-use super::identifiers::check_name;
+use super::identifiers::{LONGEST, check_identifier};
 use super::reader::Table;
 use super::{Disturbance, Input, Matrices, Named, Spec, State, Text};
 use crate::diagnostic::{Diagnostic, codes};
+use crate::emit::names::reserved;
 
 /// How a file gives the plant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,7 +52,7 @@ pub(super) fn stand_in(spec: &mut Spec, order: usize, top: &Table) {
         return top.report(error.help("leave out `value`: the output and its derivatives are estimated"));
     }
     let states = states(&output.named, order, &forcing(&spec.disturbances));
-    states.iter().for_each(|state| check_name(top, &state.named.name, "state"));
+    check_derived_names(&states, top);
     output.value = Some(states[0].named.name.clone());
     spec.states = states;
 }
@@ -71,7 +72,7 @@ fn refuse_another_plant(spec: &Spec, top: &Table) {
     for (named, what) in inputs.chain(unknowns) {
         let message = format!("the {what} `{}` enters no chain of integrators", named.name.value);
         let error = Diagnostic::error(codes::BAD_COMBINATION, named.name.span.clone(), message);
-        top.report(error.help(format!("leave it out; for a plant that it enters: {}", keyed.instead_of_chain())));
+        top.report(error.help("leave it out, or write the plant that it enters"));
     }
 }
 
@@ -81,6 +82,25 @@ fn refuse_outputs(spec: &Spec, top: &Table) {
     let message = format!("`order` is for one output, and there are {}", spec.outputs.len());
     let error = Diagnostic::error(codes::BAD_COMBINATION, second.named.name.span.clone(), message);
     top.report(error.help("put each signal into a file of its own"));
+}
+
+/// The output's name is an expression's now, and those of its derivatives are the generated code's.
+fn check_derived_names(states: &[State], top: &Table) {
+    let output = &states[0].named.name;
+    if output.value.chars().all(|c| c.is_ascii_alphanumeric()) {
+        check_identifier(top, output);
+    }
+    for (i, state) in states.iter().enumerate().skip(1) {
+        let name = &state.named.name.value;
+        let why = match reserved(name) {
+            Some(why) => why.to_owned(),
+            None if name.len() > LONGEST => format!("longer than the {LONGEST} letters that C compilers tell apart"),
+            None => continue,
+        };
+        let message = format!("derivative {i} of `{}` would be called `{name}`, which is {why}", output.value);
+        let error = Diagnostic::error(codes::BAD_NAME, output.span.clone(), message);
+        return top.report(error.help("choose another name for the output"));
+    }
 }
 
 /// What drives the last derivative: the disturbances, or nothing.

@@ -20,9 +20,11 @@ pub(super) fn check_identifier(table: &Table, name: &Text) {
     }
 }
 
+/// Letters of the longest name.
+pub(super) const LONGEST: usize = 40;
+
 /// A name that the generated code carries.
 pub(super) fn check_name(table: &Table, name: &Text, role: &str) {
-    const LONGEST: usize = 40;
     let value = &name.value;
     let snake = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_';
     let report = |message: String, help: String| {

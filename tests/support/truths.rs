@@ -12,6 +12,12 @@ pub fn truth(name: &str) -> Option<Truth> {
     Some(match name {
         "dc_motor" | "motor_single_delay" | "motor_intermittent" | "motor_recursive" => dc_motor(),
         "motor_continuous" => smooth_motor(),
+        "differentiator" => integrators(&[2.0, 3.0, 5.0, 5.0]),
+        "differentiator_encoder" => integrators(&[0.5, 2.0, 5.0]),
+        // A ramp, whose backward differences are its derivatives.
+        "differentiator_euler" => {
+            Truth { start: vec![(290.0, 310.0), (-0.05, 0.05), (0.0, 0.0)], ..integrators(&[0.0; 3]) }
+        }
         "drive_irregular" => drive_irregular(),
         "drive_prescribed" => drive_prescribed(),
         "fixed_time_linear" => shaker(),
@@ -78,6 +84,20 @@ fn dc_motor() -> Truth {
 /// Without a voltage: only between jumps of an input is the arm's motion as smooth as a cubic takes it to be.
 fn smooth_motor() -> Truth {
     Truth { input: vec![(0.0, 0.0)], ..dc_motor() }
+}
+
+/// A polynomial and its derivatives, which start within these.
+fn integrators(start: &[f64]) -> Truth {
+    Truth {
+        discrete: false,
+        change: Box::new(|_, x, _| x[1..].iter().copied().chain([0.0]).collect()),
+        outputs: Box::new(|x| vec![x[0]]),
+        delays: vec![0.0],
+        holds: vec![],
+        start: start.iter().map(|most| (-most, *most)).collect(),
+        input: vec![],
+        exact: true,
+    }
 }
 
 fn drive_irregular() -> Truth {
