@@ -203,26 +203,8 @@ impl Countdown {
     /// The numbers of the keys for a plant; mistakes are collected.
     pub fn new(plant: &Plant, keys: &Keys, found: &mut Vec<Diagnostic>) -> Option<Self> {
         let order = plant.states.len();
-        let span = keys.time.span();
         let numbers = numbers(plant, keys, order, found);
-        let time = plant.constant(&keys.time, found)?;
-        let seconds = time.to_f64().unwrap_or(f64::NAN);
-        if seconds <= 0.0 || !seconds.is_finite() {
-            let message = format!("the prescribed time must be above 0 s, not {}", show(seconds));
-            let error = Diagnostic::error(codes::BAD_NUMBER, span, message).measured(seconds);
-            found.push(error.help("write the seconds from the first sample to the prescribed time"));
-            return None;
-        }
-        let steps = whole_samples(&time, &span, "the prescribed time", plant, found)?;
-        if steps < order {
-            let message = "the prescribed time is too short to show every state";
-            let error = Diagnostic::error(codes::WINDOW_TOO_SHORT, span, message).measured(count(steps));
-            let samples = if steps == 1 { "sample" } else { "samples" };
-            let label = format!("{steps} {samples} after the first, for {order} states");
-            let least = show(count(order) * plant.sample_time_s());
-            found.push(error.label(label).help(format!("a time of at least {least} s")));
-            return None;
-        }
+        let (time, steps) = duration(plant, keys, found)?;
         let numbers = numbers?;
         let mut countdown = Self { counting: Counting { steps, stop: 0, after: keys.after.0 }, time, numbers, order };
         countdown.counting.stop = countdown.stop(plant, keys, found)?;
@@ -367,6 +349,54 @@ impl Countdown {
         }
         warnings
     }
+}
+
+/// T and the samples until then; mistakes are collected.
+fn duration(plant: &Plant, keys: &Keys, found: &mut Vec<Diagnostic>) -> Option<(Constant, usize)> {
+    let order = plant.states.len();
+    let span = keys.time.span();
+    let time = plant.constant(&keys.time, found)?;
+    let seconds = time.to_f64().unwrap_or(f64::NAN);
+    if seconds <= 0.0 || !seconds.is_finite() {
+        let message = format!("the prescribed time must be above 0 s, not {}", show(seconds));
+        let error = Diagnostic::error(codes::BAD_NUMBER, span, message).measured(seconds);
+        found.push(error.help("write the seconds from the first sample to the prescribed time"));
+        return None;
+    }
+    let steps = whole_samples(&time, &span, "the prescribed time", plant, found)?;
+    if steps < order {
+        let message = "the prescribed time is too short to show every state";
+        let error = Diagnostic::error(codes::WINDOW_TOO_SHORT, span, message).measured(count(steps));
+        let samples = if steps == 1 { "sample" } else { "samples" };
+        let label = format!("{steps} {samples} after the first, for {order} states");
+        let least = show(count(order) * plant.sample_time_s());
+        found.push(error.label(label).help(format!("a time of at least {least} s")));
+        return None;
+    }
+    Some((time, steps))
+}
+
+/// The countdown of a table with a gain of its own for every call: to the prescribed time itself, where `stop_before`
+/// does not say otherwise; mistakes are collected.
+pub fn of_table(plant: &Plant, keys: &Keys, found: &mut Vec<Diagnostic>) -> Option<Counting> {
+    if let Some(gain) = &keys.max_gain {
+        let message = "`max_gain` limits gains that grow; those of a table are what they are";
+        let error = Diagnostic::error(codes::BAD_COMBINATION, gain.span(), message);
+        found.push(error.help("leave it out"));
+    }
+    let (_, steps) = duration(plant, keys, found)?;
+    let stop = match &keys.stop_before {
+        Some((stop, span)) if *stop >= steps => {
+            let message = "the countdown ends before it begins";
+            let error = Diagnostic::error(codes::BAD_NUMBER, span.clone(), message).measured(count(*stop));
+            let label = format!("{stop} steps left of {steps}");
+            found.push(error.label(label).help(format!("at most {}", steps - 1)));
+            return None;
+        }
+        Some((stop, _)) => *stop,
+        None => 0,
+    };
+    Some(Counting { steps, stop, after: keys.after.0 })
 }
 
 /// An integer power.
