@@ -16,12 +16,17 @@ use plant::{Hold, Random, Run, Truth, designed_in};
 const H: f64 = 0.01;
 
 /// Every method that predicts and corrects, with its keys.
-const METHODS: [(&str, &str); 11] = [
+const METHODS: [(&str, &str); 13] = [
     ("prescribed-time", "time = 0.3"),
     ("prescribed-time", "time = 0.3\nstop_before = 0"),
     ("prescribed-time", "time = 0.3\nafter = 'restart'"),
     ("prescribed-time", "time = 0.3\nholloway-krstic = { m = 2, l = [3, 2] }\nstop_before = 5"),
     ("prescribed-time", "time = 0.3\nefimov-orlov = { L = [80, 1600] }\nstop_before = 3"),
+    ("prescribed-time", "time = 0.3\nafter = 'handover'\nprocess_noise = [1e-8, 1e-4]\nmeasurement_noise = [1e-6]"),
+    (
+        "prescribed-time",
+        "time = 0.3\nkalman = { process_noise = [1e-8, 1e-4], measurement_noise = [1e-6], initial_deviation = 10 }",
+    ),
     ("luenberger", "poles = [[-30, 10], [-30, -10]]"),
     ("kalman", "process_noise = [1e-8, 1e-4]\nmeasurement_noise = [1e-6]"),
     ("high-gain", "gain = 40\npoles = [-1, -1]"),

@@ -41,9 +41,19 @@ const REALIZATIONS: [&str; 4] = ["fir", "two-level", "ping-pong", "recursive"];
 const NOISE: f64 = 1e-3;
 
 /// Every mode of every method that predicts and corrects, with its keys.
-const CORRECTORS: [(&str, &str, &str); 7] = [
+const CORRECTORS: [(&str, &str, &str); 9] = [
     ("hold", "prescribed-time", "time = 0.5"),
     ("restart", "prescribed-time", "time = 0.5\nafter = 'restart'"),
+    (
+        "handover",
+        "prescribed-time",
+        "time = 0.5\nafter = 'handover'\nprocess_noise = [1e-7, 1e-5]\nmeasurement_noise = [3e-7]",
+    ),
+    (
+        "table",
+        "prescribed-time",
+        "time = 0.5\nkalman = { process_noise = [1e-7, 1e-5], measurement_noise = [3e-7], initial_deviation = 10 }",
+    ),
     ("kalman", "kalman", "process_noise = [1e-7, 1e-5]\nmeasurement_noise = [3e-7]"),
     ("luenberger", "luenberger", "poles = [-12, -15]"),
     ("high_gain", "high-gain", "gain = 15\npoles = [-1, -1]"),
