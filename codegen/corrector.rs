@@ -34,6 +34,7 @@ pub mod placement;
 pub mod riccati;
 pub mod schedule;
 pub mod settle;
+pub mod sliding;
 pub mod theorem1;
 
 use crate::design::Settled;
@@ -111,6 +112,14 @@ pub enum Gain {
     Table(Vec<Vec<Vec<Settled>>>),
     /// kappa from the steps left.
     Countdown(Polynomials),
+    /// kappa from the size of the innovation.
+    Sliding {
+        /// The law's constants.
+        law: sliding::Sliding,
+        /// The largest innovation that noise and what the law allows for explain: after n within it the estimate counts as
+        /// converged.
+        calm: f64,
+    },
 }
 
 /// `r'^n c_i` by powers of `r' = 2^-shift r`, for i = 1 … n; no entry is negative.

@@ -166,6 +166,11 @@ fn converged(generated: &Generated) -> String {
             step + 1,
             short(radius)
         ),
+        Convergence::Sensed { calls, innovation } => format!(
+            "Converged  when the status says so: after {calls} calls in a row, the first of them call 2 at the soonest, in \
+             which the sample was within {} of its prediction",
+            short(innovation)
+        ),
         Convergence::Prescribed { left } => format!(
             "Converged  from call {} ({time} s after the first), when {} of the initial error is left",
             step + 1,
@@ -197,7 +202,7 @@ fn costs(generated: &Generated) -> Vec<String> {
 /// Gains and bounds as a table: a column per state.
 fn certificate(generated: &Generated) -> Vec<String> {
     let (plant, certificate) = (&generated.plant, &generated.design.certificate);
-    if certificate.noise_gain_l1.is_empty() {
+    if certificate.noise_gain_l1.is_empty() && certificate.error_bound.is_empty() {
         return vec!["  no gains from noise: they depend on how far the signals excite the unknowns".into()];
     }
     let mut rows: Vec<Vec<String>> = vec![
@@ -205,7 +210,8 @@ fn certificate(generated: &Generated) -> Vec<String> {
         std::iter::once("unit".to_owned()).chain(plant.states.iter().map(|s| s.label.unit.clone())).collect(),
     ];
     let mut row = |what: String, values: Vec<String>| rows.push(std::iter::once(what).chain(values).collect());
-    for (o, output) in plant.outputs.iter().enumerate() {
+    let linear = !certificate.noise_gain_l1.is_empty();
+    for (o, output) in plant.outputs.iter().enumerate().filter(|_| linear) {
         let name = &output.label.name;
         row(
             format!("noise gain from {name}, worst case"),
@@ -213,7 +219,7 @@ fn certificate(generated: &Generated) -> Vec<String> {
         );
         row(format!("noise gain from {name}, white"), certificate.noise_gain_l2.iter().map(|g| short(g[o])).collect());
     }
-    for (d, disturbance) in plant.disturbances.iter().enumerate() {
+    for (d, disturbance) in plant.disturbances.iter().enumerate().filter(|_| linear) {
         let gains = certificate.disturbance_gain_l1.iter().map(|g| short(g[d])).collect();
         row(format!("gain from {}, worst case", disturbance.label.name), gains);
     }
@@ -226,6 +232,11 @@ fn certificate(generated: &Generated) -> Vec<String> {
     let mut lines = align(&rows);
     if !bounded && plant.outputs.iter().all(|o| o.noise.is_some()) {
         lines.push(format!("  {}", generated.design.unbounded()));
+    }
+    if !linear {
+        lines.push(
+            "  at every call that says it has converged; no gains: the correction is no multiple of the noise".into(),
+        );
     }
     if let Some(between) = generated.design.between_samples(plant) {
         lines.push(format!("  on top: {between}"));

@@ -102,6 +102,13 @@ pub enum Convergence {
         /// Samples of that period.
         period: usize,
     },
+    /// When the status says so: after this many calls in a row whose innovations are explained, whenever that is.
+    Sensed {
+        /// The calls.
+        calls: usize,
+        /// The largest explained innovation, in units of the output.
+        innovation: f64,
+    },
     /// At [`Design::valid_from_step`], to what the gains leave of it.
     Prescribed {
         /// Of the worst initial error, in the root mean square of what it does to the outputs until then.

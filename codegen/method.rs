@@ -6,14 +6,17 @@
 mod constant;
 pub mod countdown;
 pub mod differentiator;
+pub mod fixed_time_linear;
 pub mod high_gain;
 pub mod impulsive;
 pub mod kalman;
 pub mod luenberger;
 mod noise;
+pub mod order;
 pub mod parameters;
 mod poles;
 pub mod prescribed_time;
+pub mod robust_exact;
 pub mod single_delay;
 pub mod window;
 
@@ -36,6 +39,8 @@ pub const METHODS: &[Method] = &[
     luenberger::METHOD,
     kalman::METHOD,
     high_gain::METHOD,
+    fixed_time_linear::METHOD,
+    robust_exact::METHOD,
 ];
 
 /// What a user can name in `[observer.<name>]`.

@@ -57,7 +57,9 @@ scalar = 'f64'
 fn radius(generated: &Generated) -> f64 {
     match generated.design.convergence {
         Convergence::Geometric { radius, .. } => radius,
-        Convergence::Finite | Convergence::Prescribed { .. } => panic!("a convergence by a call"),
+        Convergence::Finite | Convergence::Prescribed { .. } | Convergence::Sensed { .. } => {
+            panic!("a convergence by a call")
+        }
     }
 }
 

@@ -30,6 +30,7 @@ pub fn json(generated: &Generated) -> Value {
     let convergence = match design.convergence {
         Convergence::Finite => json!({ "radius": 0.0, "period": design.window_steps }),
         Convergence::Geometric { radius, period } => json!({ "radius": radius, "period": period }),
+        Convergence::Sensed { calls, innovation } => json!({ "calls_within": calls, "innovation": innovation }),
         Convergence::Prescribed { left } => json!({ "initial_error_left": left }),
     };
     let realizations: Vec<Value> = design.realizations.iter().map(realization).collect();

@@ -21,6 +21,9 @@ pub enum Promise {
     Contracted,
 }
 
+/// A law, and the gain after a handover; or why there is none.
+pub type Lawful = Result<(Law, Option<Matrix>), Vec<Diagnostic>>;
+
 /// What a method asks for.
 pub struct Request<'a> {
     /// The plant.
@@ -36,7 +39,7 @@ pub struct Request<'a> {
     /// The sampled plant at one precision, where it is not the exact one.
     pub model: &'a dyn Fn(Precision) -> Result<Model, Vec<Diagnostic>>,
     /// The law, and the gain after a handover, at one precision.
-    pub law: &'a dyn Fn(&Model, Precision) -> Result<(Law, Option<Matrix>), Vec<Diagnostic>>,
+    pub law: &'a dyn Fn(&Model, Precision) -> Lawful,
 }
 
 /// What comes of it.

@@ -2,6 +2,7 @@
 
 use super::chain::Chain;
 use super::law::Rows;
+use super::sliding::ExactSliding;
 use super::{After, Counting};
 use crate::diagnostic::Diagnostic;
 use crate::plant::Plant;
@@ -20,6 +21,8 @@ pub enum Law {
     Table(Vec<Matrix>),
     /// `r^n c_i` by powers of r.
     Countdown(Rows),
+    /// The robust exact differentiator's.
+    Sliding(ExactSliding),
 }
 
 /// What a step computes, at one precision.
@@ -40,7 +43,7 @@ pub struct Exact {
 impl Law {
     /// Whether it is a law of the chain's coordinates.
     pub fn needs_chain(&self) -> bool {
-        matches!(self, Self::Kappa(_) | Self::Countdown(_))
+        matches!(self, Self::Kappa(_) | Self::Countdown(_) | Self::Sliding(_))
     }
 
     /// K of a call with `left` steps left, or of call `lead - left`; in doubles.
@@ -55,6 +58,8 @@ impl Law {
         };
         match self {
             Self::Constant(gain) => gain.to_f64(),
+            // Up to an innovation of c_n, which is what the certificate is of; `sliding::Backward` has the rest.
+            Self::Sliding(law) => spread(&vec![1.0; law.ratios.len() + 1]),
             Self::Kappa(kappa) => spread(&kappa.iter().map(Real::to_f64).collect::<Vec<_>>()),
             Self::Table(rows) => rows[(counting.steps - left).max(1) - 1].to_f64(),
             Self::Countdown(rows) => {

@@ -46,6 +46,9 @@ fn constants(design: &Corrector) -> Vec<Vec<Settled>> {
         Gain::Constant(gain) => all.push(entries(gain)),
         Gain::Table(rows) => all.push(rows.iter().flatten().flatten().copied().collect()),
         Gain::Countdown(law) => all.push(entries(&law.terms)),
+        Gain::Sliding { law, .. } => {
+            all.extend([vec![law.reach], vec![law.inverse], law.ratios.clone(), law.terms.clone()]);
+        }
     }
     all.extend(design.handover.iter().map(entries));
     all
@@ -76,8 +79,8 @@ fn row_sums(grid: &Grid) -> Vec<f64> {
     grid.iter().map(|row| row.iter().map(|x| size(*x)).sum()).collect()
 }
 
-/// The largest sum of magnitudes in a step, for samples, signals and states of magnitude 1; at least 1.
-fn largest(plant: &Plant, design: &Corrector) -> f64 {
+/// Per state, the largest sum of magnitudes in its prediction, for signals and states of magnitude 1.
+fn predicted(plant: &Plant, design: &Corrector) -> Vec<f64> {
     let n = plant.states.len();
     let carried = match &design.frame {
         Frame::Plant { phi, .. } => row_sums(phi),
@@ -88,9 +91,20 @@ fn largest(plant: &Plant, design: &Corrector) -> f64 {
         // A guess of a signal counts once more.
         2.0 * columns.map(|column| size(column[i])).sum::<f64>()
     };
-    let predicted: Vec<f64> = carried.iter().enumerate().map(|(i, carried)| carried + known(i)).collect();
+    carried.iter().enumerate().map(|(i, carried)| carried + known(i)).collect()
+}
+
+/// The largest innovation, for samples, signals and states of magnitude 1.
+pub fn innovation(plant: &Plant, design: &Corrector) -> f64 {
+    let predicted = predicted(plant, design);
     let shown = |row: &Vec<Option<Settled>>| row.iter().zip(&predicted).map(|(c, x)| size(*c) * x).sum::<f64>();
-    let innovation = design.output.iter().map(shown).fold(1.0, |most: f64, shown| most.max(1.0 + shown));
+    design.output.iter().map(shown).fold(1.0, |most: f64, shown| most.max(1.0 + shown))
+}
+
+/// The largest sum of magnitudes in a step, for samples, signals and states of magnitude 1; at least 1.
+fn largest(plant: &Plant, design: &Corrector) -> f64 {
+    let n = plant.states.len();
+    let (predicted, innovation) = (predicted(plant, design), innovation(plant, design));
     let scaled = |sums: Vec<f64>| sums.into_iter().map(|sum| sum * innovation).collect::<Vec<f64>>();
     let ones = || vec![innovation; n];
     let mut gained = match &design.gain {
@@ -103,6 +117,7 @@ fn largest(plant: &Plant, design: &Corrector) -> f64 {
             let before = innovation / law.smallest.min(1.0) + law.largest;
             ones().into_iter().map(|kappa: f64| kappa.max(before)).collect()
         }
+        Gain::Sliding { law, .. } => vec![law.growth(innovation); n],
     };
     if let Frame::Plant { spread: Some(spread), .. } = &design.frame {
         let spread = row_sums(&spread.m).into_iter().zip(&spread.q).map(|(m, q)| innovation * (m + size(*q)));

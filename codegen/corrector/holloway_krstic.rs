@@ -40,7 +40,7 @@ pub fn qbar(n: usize, m: usize, time: &Rational) -> Rows {
     lower(n, |i, j| binomial(n - j, i - j) * falling(n + m, i - j) / power(time, i - j))
 }
 
-/// `hbar_ik = l_(i-k) C(n-i+k, k) (n+m)! / ((n+m-k)! T^k)` with l_0 = 1: `g_i = sum_k hbar_ik mu_1^k` (36).
+/// `hbar_ik = l_(i-k) C(n-i+k, k) (n+m)! / ((n+m-k)! T^k)` with `l_0 = 1`: `g_i = sum_k hbar_ik mu_1^k` (36).
 pub fn hbar(m: usize, l: &[Rational], time: &Rational) -> Rows {
     let n = l.len();
     let entry = |i: usize, k: usize| {
@@ -70,7 +70,7 @@ pub fn hbar_by_recursion(m: usize, l: &[Rational], time: &Rational) -> Rows {
     let mut rows: Rows = Vec::new();
     for i in 1..=n {
         let mut row = vec![Rational::ZERO; i + 1];
-        row[0] = l[i - 1].clone();
+        row[0].clone_from(&l[i - 1]);
         let next = if i == n { Rational::ZERO } else { p[i][0].clone() };
         row[i] += whole(n + m + i - 1) / time * &p[i - 1][0] - next;
         for (j, earlier) in rows.iter().enumerate() {

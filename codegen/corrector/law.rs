@@ -1,6 +1,6 @@
 //! Gain laws of a countdown: what `r^n c_i` is as a polynomial in the steps left, r.
 //!
-//! `c_i = h^i g_i` with g of 003 (4), `L_i rho^i`, or of 004 (36), `sum_k hbar_ik mu_1^k`; rho = mu_1 = N/r. A law gives
+//! `c_i = h^i g_i` with g of 003 (4), `L_i rho^i`, or of 004 (36), `sum_k hbar_ik mu_1^k`; `rho = mu_1 = N/r`. A law gives
 //! one polynomial for each i = 1 … n, coefficients of `r^0 … r^n`, without negative ones: then the denominator
 //! `r^n (1 + S_1)` is above zero for every r >= 0, r = 0 included, since `c_n` has a constant term.
 
@@ -32,7 +32,7 @@ pub fn poles(order: usize, pole: &Real) -> Rows {
     monomials(scaled.collect())
 }
 
-/// 004 (7), (36): `r^n c_i = sum_k l_(i-k) h^(i-k) C(n-i+k, k) (n+m)!/(n+m-k)! r^(n-k)` with l_0 = 1 (section 0).
+/// 004 (7), (36): `r^n c_i = sum_k l_(i-k) h^(i-k) C(n-i+k, k) (n+m)!/(n+m-k)! r^(n-k)` with `l_0 = 1` (section 0).
 pub fn holloway_krstic(m: usize, l: &[Real], sample_time: &Real) -> Rows {
     let (n, p) = (l.len(), sample_time.precision());
     let mut steps = vec![Real::one(p)];

@@ -8,7 +8,8 @@
 //!
 //! **Missing samples.** Without a good sample nothing is corrected, and the countdown waits: the deadline moves by the
 //! calls without one. The estimate is `Coasting` until as many good calls in a row as the first convergence took. A
-//! state beyond the floats' guard starts the observer again.
+//! state beyond the floats' guard starts the observer again. Under the sliding law an innovation that is not explained
+//! makes both counts begin again.
 
 mod gain;
 mod known;
@@ -22,7 +23,7 @@ use crate::window::lower::guard::Guard;
 use crate::window::lower::report::start;
 use crate::window::lower::{field, injections};
 
-use super::{Corrector, Frame, guard};
+use super::{Corrector, Frame, Gain, guard};
 
 /// Lowers a design for its plant; constants that the target's floats cannot hold are reported.
 ///
@@ -146,7 +147,8 @@ impl Lowering<'_> {
         self.builder.section("the first sample starts the observer; so does a state beyond all bounds");
         let again = self.starts_again(&corrected);
         let state = self.store(&predicted, &corrected, (again, left));
-        let counts = self.count(&predicted, again);
+        let calm = self.calm(&innovation);
+        let counts = self.count(&predicted, again, calm);
         self.report(&state, counts);
     }
 
@@ -226,18 +228,27 @@ impl Lowering<'_> {
         state
     }
 
+    /// Whether noise and what the law allows for explain the innovation; always, for a gain that does not ask.
+    fn calm(&mut self, innovation: &[Value]) -> Value {
+        let Gain::Sliding { calm, .. } = self.design.gain else { return self.builder.boolean(true) };
+        let calm = self.plant.scalar_value(calm);
+        self.builder.in_range(innovation[0], -calm, calm)
+    }
+
     /// Counts the good calls since the start, and those in a row.
-    fn count(&mut self, predicted: &Predicted, again: Value) -> [Value; 2] {
+    fn count(&mut self, predicted: &Predicted, again: Value, calm: Value) -> [Value; 2] {
         let (none, one) = (self.builder.index(0), self.builder.index(1));
         let most = calls(self.design.valid + 1);
         let first = self.builder.select(predicted.measured, one, none);
         let good = self.builder.read(self.cells.good);
         let more = self.builder.count_up(good, most);
+        let more = self.builder.select(calm, more, one);
         let good = self.builder.select(predicted.measured, more, good);
         let good = self.builder.select(again, first, good);
         self.builder.set(self.cells.good, good);
         let clean = self.builder.read(self.cells.clean);
         let more = self.builder.count_up(clean, most);
+        let more = self.builder.select(calm, more, one);
         let clean = self.builder.select(predicted.fine, more, none);
         let clean = self.builder.select(again, first, clean);
         self.builder.set(self.cells.clean, clean);

@@ -70,6 +70,7 @@ fn gain(pass: &mut Pass, [coarse, fine]: Both, counting: Counting) -> Gain {
             Gain::Table(c.iter().zip(f).map(|(c, f)| dense(entries(pass, c, f))).collect())
         }
         (Law::Countdown(c), Law::Countdown(f)) => Gain::Countdown(polynomials(pass, c, f, counting)),
+        (Law::Sliding(c), Law::Sliding(f)) => Gain::Sliding { law: c.settled(f, pass), calm: 0.0 },
         (Law::Kappa(c), Law::Kappa(f)) => {
             let whole = |exact: &Exact, kappa: &Matrix| match (&exact.chain, &exact.start) {
                 (Some(chain), None) => &(&chain.m * kappa) + &chain.q,

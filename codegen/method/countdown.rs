@@ -43,6 +43,37 @@ pub const STOP_BEFORE: (&str, &str, &str) =
 pub const MAX_GAIN: (&str, &str, &str) =
     ("max_gain", "1/s^i", "instead of `stop_before`: the largest g_i, as 004 limits them (after Theorem 1)");
 
+/// What the first sample does not show.
+pub const INITIAL: (&str, &str, &str) = (
+    "initial",
+    "[numbers]",
+    "the states that the first sample does not show, in order; their own `initial` by default",
+);
+
+/// Sets the states that the first sample does not show to what the key `initial` says.
+///
+/// # Errors
+/// A wrong number of them, or one that is no constant.
+pub fn start(plant: &mut Plant, initial: Option<&(Vec<Quantity>, Range<usize>)>) -> Result<(), Vec<Diagnostic>> {
+    let Some((list, span)) = initial else { return Ok(()) };
+    let mut found = Vec::new();
+    let values: Vec<Option<Constant>> = list.iter().map(|q| plant.constant(q, &mut found)).collect();
+    let hidden: Vec<&str> =
+        plant.states.iter().filter(|s| s.measured.is_empty()).map(|s| s.label.name.as_str()).collect();
+    if values.len() != hidden.len() {
+        let message =
+            format!("`initial` needs {} numbers, one per state that the first sample does not show", hidden.len());
+        let error = Diagnostic::error(codes::SHAPE, span.clone(), message).measured(count(values.len()));
+        found.push(error.label(format!("these are {}", values.len())).help(format!("they are of {}", List(&hidden))));
+    }
+    if !found.is_empty() {
+        return Err(found);
+    }
+    let states = plant.states.iter_mut().filter(|state| state.measured.is_empty());
+    states.zip(values.into_iter().flatten()).for_each(|(state, value)| state.initial = value);
+    Ok(())
+}
+
 /// A gain law as written.
 #[derive(Clone, Debug)]
 pub enum LawKeys {

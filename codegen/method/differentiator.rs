@@ -23,13 +23,11 @@ use crate::corrector::design::{Promise, Request, build};
 use crate::corrector::exact::Law;
 use crate::design::{Certificate, Convergence, Design, NamedMatrix, Shape};
 use crate::diagnostic::{Diagnostic, codes};
-use crate::expr::{Constant, List};
 use crate::implicit_euler::{Gains, ImplicitEuler, output_map};
 use crate::plant::Plant;
 use crate::real::{Matrix, Precision, Rational, Real};
 use crate::spec::Quantity;
 use crate::spec::reader::Table;
-use crate::window::count;
 use crate::window::model::Model;
 
 /// The registry's entry.
@@ -47,7 +45,7 @@ pub const METHOD: Method = Method {
         countdown::AFTER,
         countdown::STOP_BEFORE,
         countdown::MAX_GAIN,
-        ("initial", "[n-1 numbers]", "the derivatives at the first sample, as far as they are known; all 0 by default"),
+        countdown::INITIAL,
     ],
     realizations: &[("recursive", "the scaled chain is carried on from call to call, and corrected")],
     page: include_str!("differentiator.md"),
@@ -114,23 +112,7 @@ impl Keyed for Keys {
     }
 
     fn observed(&self, mut plant: Plant) -> Result<Plant, Vec<Diagnostic>> {
-        let Some((list, span)) = &self.initial else { return Ok(plant) };
-        let mut found = Vec::new();
-        let values: Vec<Option<Constant>> = list.iter().map(|q| plant.constant(q, &mut found)).collect();
-        let derivatives = self.order - 1;
-        if values.len() != derivatives {
-            let names: Vec<&str> = plant.states[1..].iter().map(|s| s.label.name.as_str()).collect();
-            let message = format!("`initial` needs {derivatives} numbers, one per derivative");
-            let error = Diagnostic::error(codes::SHAPE, span.clone(), message).measured(count(values.len()));
-            let label = format!("these are {}", values.len());
-            found.push(error.label(label).help(format!("they are of {}", List(&names))));
-        }
-        if !found.is_empty() {
-            return Err(found);
-        }
-        for (state, value) in plant.states[1..].iter_mut().zip(values.into_iter().flatten()) {
-            state.initial = value;
-        }
+        countdown::start(&mut plant, self.initial.as_ref())?;
         Ok(plant)
     }
 

@@ -11,6 +11,7 @@
 //! **Conditions.** (C, A) observable with one output at the sample time, no delay, nonlinearities in measured states,
 //! inputs and time only.
 
+use std::ops::Range;
 use std::sync::Arc;
 
 use super::countdown::{self, Countdown};
@@ -26,6 +27,7 @@ use crate::diagnostic::{Diagnostic, codes};
 use crate::expr::List;
 use crate::plant::Plant;
 use crate::real::{Matrix, Precision, Real};
+use crate::spec::Quantity;
 use crate::spec::reader::Table;
 use crate::window::model::{Model, signals};
 use crate::window::{count, seconds, trimmed};
@@ -46,6 +48,7 @@ pub const METHOD: Method = Method {
         countdown::AFTER,
         countdown::STOP_BEFORE,
         countdown::MAX_GAIN,
+        countdown::INITIAL,
     ],
     realizations: &[("recursive", "the state is carried on from call to call, and corrected")],
     page: include_str!("prescribed-time.md"),
@@ -56,14 +59,21 @@ pub const METHOD: Method = Method {
 #[derive(Clone, Debug)]
 struct Keys {
     countdown: countdown::Keys,
+    initial: Option<(Vec<Quantity>, Range<usize>)>,
 }
 
 fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
-    let countdown = countdown::read(table)?;
-    Some(Arc::new(Keys { countdown }))
+    let initial = table.list("initial");
+    table.choice("realization", &[("auto", ()), ("recursive", ())], ());
+    Some(Arc::new(Keys { countdown: countdown::read(table)?, initial }))
 }
 
 impl Keyed for Keys {
+    fn observed(&self, mut plant: Plant) -> Result<Plant, Vec<Diagnostic>> {
+        countdown::start(&mut plant, self.initial.as_ref())?;
+        Ok(plant)
+    }
+
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {
         let mut found = refuse_unknowns(plant, METHOD.name);
         refuse_delays(plant, METHOD.name, &mut found);

@@ -20,6 +20,7 @@ pub fn truth(name: &str) -> Option<Truth> {
         }
         "drive_irregular" => drive_irregular(),
         "drive_prescribed" => drive_prescribed(),
+        "fixed_time_linear" => shaker(),
         "inverted_cart" => inverted_cart(0.3),
         "late_position" => late_position(0.4),
         "long_window" => long_window(),
@@ -28,6 +29,7 @@ pub fn truth(name: &str) -> Option<Truth> {
         "oscillator" => oscillator(),
         "pendulum" | "pendulum_single_delay" | "pendulum_impulsive" | "pendulum_prescribed" => pendulum(),
         "pendulum_discrete" => pendulum_discrete(),
+        "robust_exact" => swinging(),
         "small_memory" => small_memory(),
         "thermal_stack" => thermal_stack(),
         "two_mass_drive" => two_mass_drive(),
@@ -135,6 +137,34 @@ fn oscillator() -> Truth {
         start: vec![(-0.5, 0.5), (-2.0, 2.0)],
         input: vec![(-3.0, 3.0)],
         exact: true,
+    }
+}
+
+/// A table on a spring, and the lag of its amplifier.
+fn shaker() -> Truth {
+    Truth {
+        discrete: false,
+        change: Box::new(|_, x, u| vec![x[1], 40.0 * x[2] - 900.0 * x[0] - 3.0 * x[1], 25.0 * (u[0] - x[2])]),
+        outputs: Box::new(|x| vec![x[0]]),
+        delays: vec![0.0],
+        holds: vec![Hold::Zero],
+        start: vec![(-0.01, 0.01), (-0.3, 0.3), (-0.5, 0.5)],
+        input: vec![(-0.5, 0.5)],
+        exact: true,
+    }
+}
+
+/// Whose third derivative is at most 400.
+fn swinging() -> Truth {
+    Truth {
+        discrete: false,
+        change: Box::new(|t, x, _| vec![x[1], x[2], 150.0 * (6.0 * t).sin() - 30.0 * x[1]]),
+        outputs: Box::new(|x| vec![x[0]]),
+        delays: vec![0.0],
+        holds: vec![],
+        start: vec![(-0.5, 0.5), (-2.0, 2.0), (-5.0, 5.0)],
+        input: vec![],
+        exact: false,
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::design::Settled;
 use crate::program::Value;
 
-use super::super::{After, Corrector, Frame, Gain, Polynomials, Spread};
+use super::super::{After, Corrector, Frame, Gain, Polynomials, Spread, guard};
 use super::{Lowering, calls};
 
 impl Lowering<'_> {
@@ -18,6 +18,11 @@ impl Lowering<'_> {
             (Gain::Countdown(law), Some(left)) => {
                 let kappa = self.by_countdown(law, left, innovation[0]);
                 self.spread(kappa, innovation[0])
+            }
+            (Gain::Sliding { law, .. }, _) => {
+                let largest = self.guard.bound * guard::innovation(self.plant, design);
+                let corrections = law.corrections(&mut self.builder, innovation[0], largest);
+                self.spread(corrections, innovation[0])
             }
             (Gain::Table(_) | Gain::Countdown(_), None) => unreachable!("these follow a countdown"),
         };
