@@ -23,6 +23,7 @@
 pub mod certificate;
 pub mod chain;
 pub mod design;
+pub mod deviation;
 pub mod errors;
 pub mod exact;
 pub mod guard;

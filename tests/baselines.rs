@@ -172,6 +172,9 @@ fn high_gain_follows_the_reference() {
     }
 }
 
+/// Plants that are tried, per method.
+const PLANTS: u64 = 120;
+
 /// A random linear plant without delays; its specification with this observer.
 fn random_plant(seed: u64, most_outputs: usize) -> (Linear, Random, impl Fn(&str) -> String) {
     let mut random = Random::new(seed);
@@ -211,8 +214,10 @@ fn keeps_its_promise(what: &str, linear: &Linear, generated: &Generated, seed: u
         panic!("{what}: {:?}", generated.design.convergence)
     };
     let found = map.complex_eigenvalues().iter().map(|z| z.re.hypot(z.im)).fold(0.0, f64::max);
-    // Of doubles: a multiple eigenvalue of n moves by the n-th root of the rounding.
-    assert!((found - radius).abs() < 1e-3 + 1e-6 * radius && radius < 1.0, "{what}: {found} is not {radius} {map}");
+    // A multiple eigenvalue of order n moves by the n-th root of the rounding of the map's entries, in doubles here
+    // and there.
+    let rounding = (n as f64 * f64::EPSILON * (1.0 + map.abs().max())).powf(1.0 / n as f64);
+    assert!((found - radius).abs() <= 8.0 * rounding && radius < 1.0, "{what}: {found} is not {radius}");
     let valid = generated.design.valid_from_step;
     let calls = (valid + 3).min(400);
     let (run, _) = linear.run(calls, seed);
@@ -266,8 +271,8 @@ fn promise(what: &str, generated: &Generated, map: &DMatrix<f64>, (phi, c): (&DM
 
 #[test]
 fn random_plants_follow_their_poles() {
-    let mut designs = 0;
-    for seed in 0..200 {
+    let mut designs = 0_u64;
+    for seed in 0..PLANTS {
         let (linear, mut random, text) = random_plant(seed, 1);
         let mut poles = Vec::new();
         let n = linear.a.nrows();
@@ -285,13 +290,13 @@ fn random_plants_follow_their_poles() {
         designs += 1;
         keeps_its_promise(&format!("poles {seed}"), &linear, &generated, seed);
     }
-    assert!(designs > 120, "{designs} of 200");
+    assert!(designs > PLANTS * 3 / 5, "{designs} of {PLANTS}");
 }
 
 #[test]
 fn random_plants_have_a_kalman_filter() {
-    let mut designs = 0;
-    for seed in 0..200 {
+    let mut designs = 0_u64;
+    for seed in 0..PLANTS {
         let (linear, mut random, text) = random_plant(seed, 3);
         let noise: Vec<String> = (0..linear.a.nrows()).map(|_| random.within(1e-4, 1e-1).to_string()).collect();
         let density = if linear.discrete || random.below(2) == 0 { "" } else { "density = true\n" };
@@ -300,13 +305,13 @@ fn random_plants_have_a_kalman_filter() {
         designs += 1;
         keeps_its_promise(&format!("kalman {seed}"), &linear, &generated, seed);
     }
-    assert!(designs > 120, "{designs} of 200");
+    assert!(designs > PLANTS * 3 / 5, "{designs} of {PLANTS}");
 }
 
 #[test]
 fn random_plants_follow_a_high_gain() {
-    let mut designs = 0;
-    for seed in 0..200 {
+    let mut designs = 0_u64;
+    for seed in 0..PLANTS {
         let (linear, mut random, text) = random_plant(seed, 1);
         let gain = random.within(0.3, 3.0) / linear.h;
         let poles = vec!["-1"; linear.a.nrows()].join(", ");
@@ -316,5 +321,5 @@ fn random_plants_follow_a_high_gain() {
         designs += 1;
         keeps_its_promise(&format!("high gain {seed}"), &linear, &generated, seed);
     }
-    assert!(designs > 120, "{designs} of 200");
+    assert!(designs > PLANTS * 3 / 5, "{designs} of {PLANTS}");
 }

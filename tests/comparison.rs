@@ -32,9 +32,8 @@ fn specification(tables: &str, h: f64) -> String {
 
 /// A method that takes the chain by its order.
 fn by_order(what: &'static str, method: &'static str, keys: impl Fn(f64) -> String + 'static) -> Row {
-    let text = move |h: f64| {
-        specification(&format!("[outputs]\ny = {{}}\n[observer.{method}]\norder = 4\n{}", keys(h)), h)
-    };
+    let text =
+        move |h: f64| specification(&format!("[outputs]\ny = {{}}\n[observer.{method}]\norder = 4\n{}", keys(h)), h);
     Row { what, text: Box::new(text) }
 }
 
@@ -91,11 +90,17 @@ fn rows() -> Vec<Row> {
         by_order("fixed-time-linear: exact prediction", "fixed-time-linear", |_| String::new()),
         by_order("robust-exact: L = 2600, implicit Euler", "robust-exact", move |_| euler("lipschitz = 2600")),
         by_order("robust-exact: L = 2600", "robust-exact", |_| "lipschitz = 2600".into()),
-        by_noisy_plant("kalman: noise and 4th derivative as they are", "kalman", paper_noise, FOURTH, |_| String::new()),
-        by_noisy_plant("kalman: 4th derivative 10 times that", "kalman", paper_noise, 10.0 * FOURTH, |_| String::new()),
-        by_noisy_plant("kalman: noise 1e-3, 4th derivative 1", "kalman", |_| 3.0_f64.sqrt() * LEVEL, 3.0_f64.sqrt(), |_| {
+        by_noisy_plant("kalman: noise and 4th derivative as they are", "kalman", paper_noise, FOURTH, |_| {
             String::new()
         }),
+        by_noisy_plant("kalman: 4th derivative 10 times that", "kalman", paper_noise, 10.0 * FOURTH, |_| String::new()),
+        by_noisy_plant(
+            "kalman: noise 1e-3, 4th derivative 1",
+            "kalman",
+            |_| 3.0_f64.sqrt() * LEVEL,
+            3.0_f64.sqrt(),
+            |_| String::new(),
+        ),
         by_plant("window: 5 samples", "window", steps(4)),
         by_plant("window: 7 samples", "window", steps(6)),
         by_plant("window: 25 samples", "window", steps(24)),

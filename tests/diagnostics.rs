@@ -71,6 +71,8 @@ fn every_code_is_covered() {
         // Warnings, and no mistakes: see `warnings_are_given`.
         codes::TIME_RESOLUTION,
         codes::FLOAT_RESOLUTION,
+        codes::WEAK,
+        codes::NOISE,
     ];
     let reports = bad_reports();
     let seen: BTreeSet<&str> = reports.iter().flat_map(|(_, report)| &report.diagnostics).map(|d| d.code).collect();
@@ -120,6 +122,24 @@ fn warnings_are_given() {
     let report = report("inverted_cart", &unused);
     let found: Vec<_> = report.diagnostics.iter().map(|d| (d.code, d.level)).collect();
     assert_eq!(found, [(codes::TIME_RESOLUTION, Level::Warning), (codes::UNUSED, Level::Warning)]);
+}
+
+/// A countdown that leaves most of the error, one that ends in noise, and one that carries its noise round.
+#[test]
+fn a_countdown_that_ends_badly_is_a_warning() {
+    let oscillator = files("specs", "toml").into_iter().find(|(stem, _)| stem == "oscillator").unwrap().1;
+    let cases = [
+        ("stop_before = 10", "stop_before = 80", codes::WEAK),
+        ("stop_before = 10", "stop_before = 0", codes::NOISE),
+        ("stop_before = 10", "stop_before = 10\nafter = \"restart\"", codes::NOISE),
+    ];
+    for (from, to, code) in cases {
+        let text = oscillator.replace(from, to);
+        let report = report("oscillator", &text);
+        let found: Vec<_> = report.diagnostics.iter().map(|d| (d.code, d.level)).collect();
+        assert_eq!(found, [(code, Level::Warning)], "{to}");
+        assert!(report.diagnostics[0].measured.is_some() && report.diagnostics[0].help.is_some(), "{to}");
+    }
 }
 
 /// In single precision, an encoder of many turns cannot be as good as its noise says.

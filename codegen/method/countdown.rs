@@ -61,8 +61,9 @@ pub fn start(plant: &mut Plant, initial: Option<&(Vec<Quantity>, Range<usize>)>)
     let hidden: Vec<&str> =
         plant.states.iter().filter(|s| s.measured.is_empty()).map(|s| s.label.name.as_str()).collect();
     if values.len() != hidden.len() {
-        let message =
-            format!("`initial` needs {} numbers, one per state that the first sample does not show", hidden.len());
+        let wanted = hidden.len();
+        let numbers = if wanted == 1 { "number" } else { "numbers" };
+        let message = format!("`initial` needs {wanted} {numbers}, one per state that the first sample does not show");
         let error = Diagnostic::error(codes::SHAPE, span.clone(), message).measured(count(values.len()));
         found.push(error.label(format!("these are {}", values.len())).help(format!("they are of {}", List(&hidden))));
     }
@@ -202,25 +203,8 @@ impl Countdown {
     /// The numbers of the keys for a plant; mistakes are collected.
     pub fn new(plant: &Plant, keys: &Keys, found: &mut Vec<Diagnostic>) -> Option<Self> {
         let order = plant.states.len();
-        let span = keys.time.span();
         let numbers = numbers(plant, keys, order, found);
-        let time = plant.constant(&keys.time, found)?;
-        let seconds = time.to_f64().unwrap_or(f64::NAN);
-        if seconds <= 0.0 || !seconds.is_finite() {
-            let message = format!("the prescribed time must be above 0 s, not {}", show(seconds));
-            let error = Diagnostic::error(codes::BAD_NUMBER, span, message).measured(seconds);
-            found.push(error.help("write the seconds from the first sample to the prescribed time"));
-            return None;
-        }
-        let steps = whole_samples(&time, &span, "the prescribed time", plant, found)?;
-        if steps < order {
-            let message = "the prescribed time is too short to show every state";
-            let error = Diagnostic::error(codes::WINDOW_TOO_SHORT, span, message).measured(count(steps));
-            let label = format!("{steps} samples after the first, for {order} states");
-            let least = show(count(order) * plant.sample_time_s());
-            found.push(error.label(label).help(format!("a time of at least {least} s")));
-            return None;
-        }
+        let (time, steps) = duration(plant, keys, found)?;
         let numbers = numbers?;
         let mut countdown = Self { counting: Counting { steps, stop: 0, after: keys.after.0 }, time, numbers, order };
         countdown.counting.stop = countdown.stop(plant, keys, found)?;
@@ -315,8 +299,10 @@ impl Countdown {
         };
         let message = "with these gains the error does not vanish at the prescribed time";
         let error = Diagnostic::error(codes::METHOD_CANNOT, span, message).measured(margin);
-        let label =
-            format!("it falls by (T-t)^{}, and its last derivative grows by {needed} of that", show_short(margin));
+        let label = format!(
+            "it falls like (T-t)^{}; for the last state more than (T-t)^{needed} is needed",
+            crate::describe::short(margin)
+        );
         found.push(error.label(label).help("larger gains, a longer `time`, or `poles = { p = 10 }`"));
     }
 
@@ -365,8 +351,52 @@ impl Countdown {
     }
 }
 
-fn show_short(value: f64) -> String {
-    crate::describe::short(value)
+/// T and the samples until then; mistakes are collected.
+fn duration(plant: &Plant, keys: &Keys, found: &mut Vec<Diagnostic>) -> Option<(Constant, usize)> {
+    let order = plant.states.len();
+    let span = keys.time.span();
+    let time = plant.constant(&keys.time, found)?;
+    let seconds = time.to_f64().unwrap_or(f64::NAN);
+    if seconds <= 0.0 || !seconds.is_finite() {
+        let message = format!("the prescribed time must be above 0 s, not {}", show(seconds));
+        let error = Diagnostic::error(codes::BAD_NUMBER, span, message).measured(seconds);
+        found.push(error.help("write the seconds from the first sample to the prescribed time"));
+        return None;
+    }
+    let steps = whole_samples(&time, &span, "the prescribed time", plant, found)?;
+    if steps < order {
+        let message = "the prescribed time is too short to show every state";
+        let error = Diagnostic::error(codes::WINDOW_TOO_SHORT, span, message).measured(count(steps));
+        let samples = if steps == 1 { "sample" } else { "samples" };
+        let label = format!("{steps} {samples} after the first, for {order} states");
+        let least = show(count(order) * plant.sample_time_s());
+        found.push(error.label(label).help(format!("a time of at least {least} s")));
+        return None;
+    }
+    Some((time, steps))
+}
+
+/// The countdown of a table with a gain of its own for every call: to the prescribed time itself, where `stop_before`
+/// does not say otherwise; mistakes are collected.
+pub fn of_table(plant: &Plant, keys: &Keys, found: &mut Vec<Diagnostic>) -> Option<Counting> {
+    if let Some(gain) = &keys.max_gain {
+        let message = "`max_gain` limits gains that grow; those of a table are what they are";
+        let error = Diagnostic::error(codes::BAD_COMBINATION, gain.span(), message);
+        found.push(error.help("leave it out"));
+    }
+    let (_, steps) = duration(plant, keys, found)?;
+    let stop = match &keys.stop_before {
+        Some((stop, span)) if *stop >= steps => {
+            let message = "the countdown ends before it begins";
+            let error = Diagnostic::error(codes::BAD_NUMBER, span.clone(), message).measured(count(*stop));
+            let label = format!("{stop} steps left of {steps}");
+            found.push(error.label(label).help(format!("at most {}", steps - 1)));
+            return None;
+        }
+        Some((stop, _)) => *stop,
+        None => 0,
+    };
+    Some(Counting { steps, stop, after: keys.after.0 })
 }
 
 /// An integer power.
@@ -383,7 +413,8 @@ fn numbers(plant: &Plant, keys: &Keys, order: usize, found: &mut Vec<Diagnostic>
         }
         Some(LawKeys::EfimovOrlov(list, span)) => {
             let values = listed(plant, list, span, ("L", order), found)?;
-            let above = values.iter().enumerate().all(|(i, v)| positive(v, &format!("L_{}", i + 1), span, found));
+            let mut each = values.iter().zip(list).enumerate();
+            let above = each.all(|(i, (v, place))| positive(v, &format!("L_{}", i + 1), &place.span(), found));
             above.then_some(Numbers::EfimovOrlov(values))
         }
         Some(LawKeys::HollowayKrstic(m, list, span)) => {
@@ -400,7 +431,8 @@ fn numbers(plant: &Plant, keys: &Keys, order: usize, found: &mut Vec<Diagnostic>
             if let Some(i) = below {
                 let message = format!("l_{} must not be below 0", i + 1);
                 let number = values[i].to_f64().unwrap_or(f64::NAN);
-                let error = Diagnostic::error(codes::BAD_NUMBER, span.clone(), message).measured(number);
+                let place = list.as_ref().map_or_else(|| span.clone(), |list| list[i].span());
+                let error = Diagnostic::error(codes::BAD_NUMBER, place, message).measured(number);
                 found.push(
                     error.help("take the coefficients of a polynomial with all roots to the left, such as [2, 1]"),
                 );

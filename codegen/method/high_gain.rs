@@ -64,6 +64,7 @@ enum Written {
 }
 
 fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
+    table.choice("realization", &[("auto", ()), ("recursive", ())], ());
     let gain = table.quantity("gain");
     if gain.is_none() && !table.has("gain") {
         table.missing("gain", "write `gain = …`, in 1/s: how fast the error dies out");

@@ -44,6 +44,7 @@ struct Keys {
 
 #[expect(clippy::unnecessary_wraps, reason = "the registry's signature")]
 fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
+    table.choice("realization", &[("auto", ()), ("recursive", ())], ());
     Some(Arc::new(Keys { noise: noise::read(table) }))
 }
 

@@ -44,6 +44,7 @@ struct Keys {
 }
 
 fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
+    table.choice("realization", &[("auto", ()), ("recursive", ())], ());
     let poles = poles::read(table);
     if poles.is_none() && !table.has("poles") {
         table.missing("poles", "write `poles = […]`, a number in rad/s per state: minus one over its time constant");

@@ -75,6 +75,11 @@ enum Measurement {
 }
 
 impl Keys {
+    /// Whether any of them is there.
+    pub(super) fn given(&self) -> bool {
+        self.process.is_some() || self.measurement.is_some()
+    }
+
     /// The noise, after everything that stands against it was reported.
     pub(super) fn check(&self, plant: &Plant, found: &mut Vec<Diagnostic>) -> Option<Model> {
         let before = found.len();

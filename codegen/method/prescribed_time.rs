@@ -11,11 +11,14 @@
 //! **Conditions.** (C, A) observable with one output at the sample time, no delay, nonlinearities in measured states,
 //! inputs and time only.
 
+mod filter;
+
 use std::ops::Range;
 use std::sync::Arc;
 
 use super::countdown::{self, Countdown};
-use super::window::{VERDICT_BITS, constants, refuse_unknowns, resolution_warnings, time_warning, verdict};
+use super::noise;
+use super::window::{constants, refuse_unknowns, resolution_warnings, time_warning, verdict};
 use super::{Keyed, Method, Moment};
 use crate::corrector::chain::Chain;
 use crate::corrector::design::{Built, Promise, Request, build};
@@ -45,10 +48,14 @@ pub const METHOD: Method = Method {
         countdown::POLES,
         countdown::HOLLOWAY_KRSTIC,
         countdown::EFIMOV_ORLOV,
+        filter::KALMAN,
         countdown::AFTER,
         countdown::STOP_BEFORE,
         countdown::MAX_GAIN,
         countdown::INITIAL,
+        noise::KEYS[0],
+        noise::KEYS[1],
+        noise::KEYS[2],
     ],
     realizations: &[("recursive", "the state is carried on from call to call, and corrected")],
     page: include_str!("prescribed-time.md"),
@@ -59,13 +66,64 @@ pub const METHOD: Method = Method {
 #[derive(Clone, Debug)]
 struct Keys {
     countdown: countdown::Keys,
+    filter: filter::Keys,
     initial: Option<(Vec<Quantity>, Range<usize>)>,
 }
 
 fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
     let initial = table.list("initial");
     table.choice("realization", &[("auto", ()), ("recursive", ())], ());
-    Some(Arc::new(Keys { countdown: countdown::read(table)?, initial }))
+    let countdown = countdown::read(table);
+    let filter = filter::read(table);
+    let (countdown, filter) = (countdown?, filter?);
+    if let (Some(_), Some(span)) = (&countdown.law, filter.law_span()) {
+        let error = Diagnostic::error(codes::BAD_COMBINATION, span, "an observer has one gain law");
+        table.report(error.help("leave `kalman` or the other law out"));
+        return None;
+    }
+    Some(Arc::new(Keys { countdown, filter, initial }))
+}
+
+/// Where the gains come from.
+enum Gains {
+    /// A law of the steps left.
+    Countdown(Countdown),
+    /// A Kalman filter.
+    Table(filter::Law, Counting),
+}
+
+impl Gains {
+    fn counting(&self) -> Counting {
+        match self {
+            Self::Countdown(countdown) => countdown.counting,
+            Self::Table(_, counting) => *counting,
+        }
+    }
+
+    fn filter(&self) -> Option<&filter::Law> {
+        match self {
+            Self::Countdown(_) => None,
+            Self::Table(law, _) => Some(law),
+        }
+    }
+
+    /// At one precision.
+    fn law(&self, plant: &Plant, model: &Model, p: Precision) -> Result<Law, Vec<Diagnostic>> {
+        match self {
+            Self::Countdown(countdown) => {
+                countdown.rows(plant, p).map(Law::Countdown).ok_or_else(|| countdown::no_value(plant))
+            }
+            Self::Table(law, counting) => law.gains(plant, model, p, counting.lead()).map(Law::Table),
+        }
+    }
+
+    /// The promised call.
+    fn promised(&self, order: usize) -> usize {
+        match self {
+            Self::Countdown(countdown) => promised(countdown.counting, order),
+            Self::Table(_, counting) => counting.lead(),
+        }
+    }
 }
 
 impl Keyed for Keys {
@@ -77,25 +135,36 @@ impl Keyed for Keys {
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {
         let mut found = refuse_unknowns(plant, METHOD.name);
         refuse_delays(plant, METHOD.name, &mut found);
-        refuse_several_outputs(plant, METHOD.name, &mut found);
-        let countdown = Countdown::new(plant, &self.countdown, &mut found);
-        let Some(countdown) = countdown.filter(|_| found.is_empty()) else { return Err(found) };
-        let condition = verdict(plant, &[0], plant.states.len(), &self.countdown.time.span())?;
+        if self.filter.law_span().is_none() {
+            refuse_several_outputs(plant, METHOD.name, &mut found);
+        }
+        let gains = self.gains(plant, &mut found);
+        let after = self.countdown.after.0;
+        let noise = self.filter.steady(plant, after, gains.as_ref().and_then(Gains::filter), &mut found);
+        let Some(gains) = gains.filter(|_| found.is_empty()) else { return Err(found) };
+        let (counting, order) = (gains.counting(), plant.states.len());
+        let condition = verdict(plant, &vec![0; plant.outputs.len()], order, &self.countdown.time.span())?;
         let signals = signals(plant);
-        let counting = countdown.counting;
         let model = |p: Precision| Model::new(plant, &signals, p);
-        let law = |_: &Model, p: Precision| match countdown.rows(plant, p) {
-            Some(rows) => Ok((Law::Countdown(rows), None)),
-            None => Err(countdown::no_value(plant)),
+        let handover = noise.as_ref().filter(|_| after == After::Handover);
+        let law = |model: &Model, p: Precision| {
+            let steady = handover.map(|noise| filter::handover(plant, noise, model, p)).transpose()?;
+            Ok((gains.law(plant, model, p)?, steady))
         };
-        let promise = Promise::At(promised(counting, plant.states.len()));
+        let promise = Promise::At(gains.promised(order));
         let request =
             Request { plant, signals: signals.clone(), counting, scaled: false, promise, model: &model, law: &law };
         let built = build(&request)?;
+        filter::refuse_growth(plant, &built.exact, counting)?;
+        let mut notes = gains.notes(plant);
+        notes.extend(filter::notes(plant, &built, gains.filter(), noise.as_ref()));
         let Built { corrector, exact, schedule, certificate, mut numerics, convergence, remaining } = built;
         numerics.condition = condition;
-        let last = schedule.lead.last().map_or(0.0, |gain| gain.iter().flatten().fold(0.0, |a: f64, x| a.max(x.abs())));
-        let mut warnings = countdown.warnings(plant, &self.countdown, last);
+        let mut warnings = Vec::new();
+        if let Gains::Countdown(countdown) = &gains {
+            let last = schedule.lead.last().into_iter().flatten().flatten().fold(0.0, |a: f64, x| a.max(x.abs()));
+            warnings.extend(countdown.warnings(plant, &self.countdown, last));
+        }
         warnings.extend(weak(plant, &self.countdown, remaining.share));
         warnings.extend(time_warning(plant));
         warnings.extend(resolution_warnings(plant));
@@ -108,12 +177,12 @@ impl Keyed for Keys {
         Ok(Design {
             method: METHOD.name,
             realization: "recursive",
-            summary: summary(plant, counting),
+            summary: gains.summary(plant),
             window_steps: counting.steps,
             valid_from_step: valid,
-            convergence: if exactly(counting) { Convergence::Finite } else { convergence },
+            convergence: if gains.filter().is_none() && exactly(counting) { Convergence::Finite } else { convergence },
             realizations: Vec::new(),
-            notes: notes(plant, &countdown),
+            notes,
             constants: all,
             fir: None,
             certificate,
@@ -125,6 +194,9 @@ impl Keyed for Keys {
 
     fn at(&self, plant: &Plant, step: usize) -> Result<Moment, String> {
         let no_value = || "a constant of the gain law has no usable value".to_owned();
+        if self.filter.law_span().is_some() {
+            return Err("the law `kalman` is a table from the first sample on, not one of the steps left".to_owned());
+        }
         let countdown = Countdown::new(plant, &self.countdown, &mut Vec::new()).ok_or_else(no_value)?;
         let left = countdown.left_at(step)?;
         let precision = Precision::bits(REPORTED_BITS);
@@ -141,6 +213,39 @@ impl Keyed for Keys {
     }
 }
 
+impl Keys {
+    /// The gains with their numbers; mistakes are collected.
+    fn gains(&self, plant: &Plant, found: &mut Vec<Diagnostic>) -> Option<Gains> {
+        if self.filter.law_span().is_none() {
+            return Countdown::new(plant, &self.countdown, found).map(Gains::Countdown);
+        }
+        let law = self.filter.law(plant, found);
+        let counting = countdown::of_table(plant, &self.countdown, found)?;
+        filter::check(plant, &self.filter, counting, &self.countdown.after.1, found);
+        Some(Gains::Table(law?, counting))
+    }
+}
+
+impl Gains {
+    fn summary(&self, plant: &Plant) -> String {
+        let Self::Table(_, counting) = self else { return summary(plant, self.counting()) };
+        let h = plant.sample_time_s();
+        let time = trimmed(seconds(counting.lead(), h));
+        let then = if counting.after == After::Hold { "the last gain stays" } else { "the steady gain" };
+        format!(
+            "a Kalman filter from the first sample on, {time} s ({} calls at {h} s) by a table, then {then}",
+            counting.lead()
+        )
+    }
+
+    fn notes(&self, plant: &Plant) -> Vec<String> {
+        match self {
+            Self::Countdown(countdown) => notes(plant, countdown),
+            Self::Table(..) => Vec::new(),
+        }
+    }
+}
+
 /// The promised call: the countdown's end; where it holds the deadbeat gain, n calls of it.
 pub fn promised(counting: Counting, order: usize) -> usize {
     if exactly(counting) { counting.steps + order - 1 } else { counting.lead() }
@@ -150,9 +255,6 @@ pub fn promised(counting: Counting, order: usize) -> usize {
 pub fn exactly(counting: Counting) -> bool {
     counting.stop == 0 && counting.after == After::Hold
 }
-
-/// Bits at which the plant was judged.
-pub const JUDGED: usize = VERDICT_BITS;
 
 /// What happens when, in one line.
 pub fn summary(plant: &Plant, counting: Counting) -> String {

@@ -180,6 +180,11 @@ impl<'a> Table<'a> {
         numbers.into_iter().collect()
     }
 
+    /// Whether a key is there and its value is a list, without reading it.
+    pub fn has_list(&self, key: &str) -> bool {
+        matches!(self.entries.get(key).map(Spanned::get_ref), Some(DeValue::Array(_)))
+    }
+
     /// Whether a key is there and the first entry of its value is a list, without reading it.
     pub fn has_rows(&self, key: &str) -> bool {
         let value = self.entries.get(key).map(Spanned::get_ref);

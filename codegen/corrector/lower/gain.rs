@@ -56,7 +56,7 @@ impl Lowering<'_> {
         });
         let names = names.collect();
         let values = rows.iter().rev().map(|k| k.iter().flatten().map(|x| x.value(scalar)).collect()).collect();
-        let table = self.builder.table("gains", "gain by calls of the countdown that are left", names, values);
+        let table = self.builder.table("GAINS", "gain by calls of the countdown that are left", names, values);
         let row = self.builder.at_most(left, calls(rows.len() - 1));
         let outputs = innovation.len();
         let each = (0..self.plant.states.len()).map(|i| {
