@@ -17,6 +17,7 @@ use std::sync::OnceLock;
 use compile::c_compilers;
 use corpus::{ODD, Random, Subject, empty_folder, put, root, runs, side_by_side, subjects, succeed};
 use deadbeat_codegen::describe::CONTRACT;
+use deadbeat_codegen::design::Convergence;
 use deadbeat_codegen::design::Shape;
 use deadbeat_codegen::program::cost::{Cost, cost};
 use deadbeat_codegen::program::interp::Interpreter;
@@ -250,7 +251,8 @@ fn line_01_no_heap_no_recursion_no_globals_no_library() {
             assert!(line.starts_with("static ") && line.contains(": [["), "{}: a table: {line}", subject.name);
         }
         for path in rust.split("::").zip(rust.split("::").skip(1)).filter(|(before, _)| !before.ends_with(is_word)) {
-            assert!(path.1.starts_with("deadbeat"), "{}: ::{}", subject.name, path.1.lines().next().unwrap_or(""));
+            let known = path.1.starts_with("deadbeat") || path.1.starts_with("core");
+            assert!(known, "{}: ::{}", subject.name, path.1.lines().next().unwrap_or(""));
         }
     }
 }
@@ -473,7 +475,8 @@ fn line_04_float_code_has_no_double() {
     if runs("objdump") && cfg!(target_arch = "x86_64") {
         for object in objects().iter().filter(|it| single(&it.subject)) {
             let code = succeed(Command::new("objdump").args(["-d", "--no-show-raw-insn"]).arg(&object.path));
-            assert!(code.contains("\tmulss") && code.contains("\taddss"), "{}: its sums can be read", object.label());
+            let read = |name: &str| code.contains(&format!("\t{name}ss")) || code.contains(&format!("\t{name}ps"));
+            assert!(read("mul") && read("add"), "{}: its sums can be read", object.label());
             for instruction in code.lines().filter_map(|line| line.split('\t').nth(1)) {
                 let name = instruction.split_whitespace().next().unwrap_or("");
                 let double = name.contains("ss2sd") || name.contains("sd2s") || name.contains("sd2si");
@@ -728,8 +731,7 @@ const UNSTABLE: [&str; 4] = ["inverted_cart", "magnetic_levitation", "pendulum",
 /// finite.
 #[test]
 fn line_10_inputs_of_any_bits() {
-    let each = INTERPRETED / subjects().len();
-    side_by_side(&subjects().iter().collect::<Vec<_>>(), |subject| abuse(subject, each));
+    side_by_side(&subjects().iter().collect::<Vec<_>>(), |subject| abuse(subject, INTERPRETED / 40));
 }
 
 /// Claim: the same when a sensor of an unstable plant is gone for good.
@@ -783,9 +785,12 @@ fn abuse(subject: &Subject, steps: usize) {
     let mut random = Random::new(subject.name.len() as u64);
     let (measured, applied) = (subject.measured(), subject.applied());
     let mut run = Run::new(&subject.generated.program);
+    // What converges by its innovations alone does so at rest.
+    let sensed = matches!(subject.generated.design.convergence, Convergence::Sensed { .. });
+    let spread = if sensed { 0.0 } else { 1.0 };
     for step in 0..steps {
         let mut number = |span: &corpus::Span| {
-            let plausible = span.centre + span.amplitude * random.signed();
+            let plausible = span.centre + spread * span.amplitude * random.signed();
             let any = any_bits(subject.scalar(), random.bits());
             match step / phase % 4 {
                 1 => any,
