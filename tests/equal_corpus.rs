@@ -1,4 +1,4 @@
-//! Claim: for every specification of the corpus and in both scalars, the interpreter, Rust
+//! Claim: for every specification of the corpus, in its scalar (and in CI in the other too), the interpreter, Rust
 //! unoptimised and at opt-level 3, and C by every compiler at -O0, -O2 and -O3 with the machine's
 //! own instructions give the same bits and the same status, whatever is measured; and no estimate
 //! is ever NaN or infinite.
