@@ -112,7 +112,7 @@ mod tests {
         texts.iter().map(|(re, im)| Pole { re: real(re, p), im: real(im, p) }).collect()
     }
 
-    /// The characteristic polynomial, highest power first, by Faddeev and LeVerrier.
+    /// The characteristic polynomial, highest power first, by Faddeev's recursion.
     fn characteristic(map: &Matrix) -> Vec<Real> {
         let (n, p) = (map.rows(), map.precision());
         let mut coefficients = vec![Real::one(p)];

@@ -246,7 +246,7 @@ mod tests {
         }
     }
 
-    /// Kalata 1984, "The tracking index": with L = sigma_w h^2 / sigma_v and r = (4 + L - sqrt(8 L + L^2)) / 4,
+    /// Kalata 1984, "The tracking index": with `L = sigma_w h^2 / sigma_v`, `r = (4 + L - sqrt(8 L + L^2)) / 4`,
     /// alpha = 1 - r^2 and beta = 2 (2 - alpha) - 4 sqrt(1 - alpha); here h = 1.
     #[test]
     fn alpha_and_beta_are_those_of_the_tracking_index() {

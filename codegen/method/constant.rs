@@ -18,15 +18,18 @@ pub(super) enum Outputs {
     Any,
 }
 
+/// Something, or what stands against it.
+type Found<T> = Result<T, Vec<Diagnostic>>;
+
 /// What a method says of itself and its gain.
 pub(super) struct Asked<'a> {
     pub(super) method: &'static str,
     pub(super) summary: String,
     pub(super) warnings: Vec<Diagnostic>,
     /// The gain at one precision.
-    pub(super) law: &'a dyn Fn(&Model, Precision) -> Result<Law, Vec<Diagnostic>>,
+    pub(super) law: &'a dyn Fn(&Model, Precision) -> Found<Law>,
     /// What the method's theory says of the design.
-    pub(super) notes: &'a dyn Fn(&Exact) -> Result<Vec<String>, Vec<Diagnostic>>,
+    pub(super) notes: &'a dyn Fn(&Exact) -> Found<Vec<String>>,
 }
 
 /// What stands against a method of this shape before its keys are read.

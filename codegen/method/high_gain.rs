@@ -170,7 +170,7 @@ impl Numbers {
     }
 }
 
-/// `kappa_j = S_j / (1 + S_1)`, n x 1, with `S_j = sum_(i>=j) c_i` and `c_i = L_i (gain h)^i`; positive L_i.
+/// `kappa_j = S_j / (1 + S_1)`, n x 1, with `S_j = sum_(i>=j) c_i` and `c_i = L_i (gain h)^i`; every `L_i` above 0.
 fn kappa(coefficients: &[Real], speed: &Real) -> Matrix {
     let p = speed.precision();
     let mut power = Real::one(p);

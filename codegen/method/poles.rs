@@ -49,7 +49,9 @@ impl Poles {
             return None;
         }
         self.count(plant, found);
-        poles.iter().for_each(|pole| pole.check_side(found));
+        for pole in &poles {
+            pole.check_side(found);
+        }
         check_pairs(&poles, found);
         (found.len() == before).then_some(poles)
     }
