@@ -171,7 +171,7 @@ fn no_bits_make_the_state_other_than_finite() {
     each(|what, generated| {
         let mut random = Random::new(17);
         let mut interpreter = Interpreter::new(&generated.program);
-        let mut any = |random: &mut Random| match generated.program.scalar {
+        let any = |random: &mut Random| match generated.program.scalar {
             Scalar::F32 => f64::from(f32::from_bits(random.bits() as u32)),
             Scalar::F64 => f64::from_bits(random.bits()),
         };

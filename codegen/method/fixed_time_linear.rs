@@ -95,7 +95,7 @@ impl Keyed for Keys {
             notes: self.order.late().into_iter().collect(),
             constants: all,
             fir: None,
-            certificate: built.certificate,
+            certificate: self.order.certain(built.certificate),
             numerics,
             warnings,
             shape: Shape::Corrector(Box::new(built.corrector)),

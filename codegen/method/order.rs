@@ -4,6 +4,7 @@
 use std::ops::RangeInclusive;
 
 use crate::corrector::design::no_chain;
+use crate::design::Certificate;
 use crate::diagnostic::{Diagnostic, codes};
 use crate::plant::Plant;
 use crate::real::{Matrix, Precision, Real};
@@ -71,9 +72,24 @@ impl Order {
         Ok(model)
     }
 
-    /// What implicit Euler's estimates are besides: derivatives of the past; with two states they are the exact chain's.
+    /// Without the bounds that implicit Euler's lag breaks: it grows with derivatives of which no bound is declared.
+    pub fn certain(self, mut certificate: Certificate) -> Certificate {
+        if self.lags() {
+            certificate.error_bound.iter_mut().skip(1).for_each(|bound| *bound = None);
+            let gains = certificate.disturbance_gain_l1.iter_mut().skip(1);
+            gains.flatten().for_each(|gain| *gain = f64::INFINITY);
+        }
+        certificate
+    }
+
+    /// Whether estimates are derivatives of the past; with two states they are the exact chain's.
+    fn lags(self) -> bool {
+        self.euler && self.order > Some(2)
+    }
+
+    /// What implicit Euler's estimates are besides.
     pub fn late(self) -> Option<String> {
         let text = "backward differences: the i-th derivative is i/2 samples late; `prediction = \"exact\"` is not";
-        (self.euler && self.order > Some(2)).then(|| text.to_owned())
+        self.lags().then(|| text.to_owned())
     }
 }

@@ -113,7 +113,7 @@ impl Keyed for Keys {
             law: &|_, p: Precision| Ok((Law::Sliding(self.law(plant, &lipschitz, p)?), None)),
         };
         let mut built = build(&request)?;
-        let calm = self.sense(plant, &mut built)?;
+        let calm = sense(plant, &mut built)?;
         let Built { corrector, exact, certificate, mut numerics, .. } = built;
         numerics.condition = condition;
         let Gain::Sliding { law, .. } = &corrector.gain else { unreachable!("the gain of this law") };
@@ -143,7 +143,7 @@ impl Keyed for Keys {
             notes: self.notes(plant, law),
             constants: all,
             fir: None,
-            certificate,
+            certificate: self.order.certain(certificate),
             numerics,
             warnings,
             shape: Shape::Corrector(Box::new(corrector)),
@@ -183,24 +183,6 @@ impl Keys {
         })
     }
 
-    /// Writes into the design which innovations count as explained, and what is certain then.
-    fn sense(&self, plant: &Plant, built: &mut Built) -> Result<Calm, Vec<Diagnostic>> {
-        let model = &built.exact.model;
-        let chain = built.exact.chain.as_ref().ok_or_else(|| no_chain(plant, "there is no chain form"))?;
-        let backward = Backward::new(&model.phi, &model.c, &chain.m, &chain.q);
-        let noise = plant.outputs[0].noise.as_ref().map_or(0.0, |noise| noise.to_f64().unwrap_or(0.0));
-        let disturbance = backward.disturbance(plant).unwrap_or(0.0);
-        let Gain::Sliding { law, calm } = &mut built.corrector.gain else { unreachable!("the gain of this law") };
-        let bound = plant.scalar_value(law.reach.double.max(disturbance) + backward.noise * noise);
-        *calm = bound;
-        let short = backward.error(&law.shortfall(bound));
-        let whole = built.certificate.error_bound.iter().zip(short).map(|(linear, short)| linear.map(|it| it + short));
-        // The gains are those of backward differences, not of this law: what holds of it is the bound.
-        let error_bound = whole.collect();
-        built.certificate = Certificate { error_bound, ..Certificate::default() };
-        Ok(Calm { bound, disturbance })
-    }
-
     /// A bound that the declared disturbances break.
     fn weak(&self, plant: &Plant, law: &Sliding, disturbance: f64) -> Option<Diagnostic> {
         let reach = law.reach.double;
@@ -228,6 +210,24 @@ impl Keys {
         notes.extend(self.order.late());
         notes
     }
+}
+
+/// Writes into the design which innovations count as explained, and what is certain then.
+fn sense(plant: &Plant, built: &mut Built) -> Result<Calm, Vec<Diagnostic>> {
+    let model = &built.exact.model;
+    let chain = built.exact.chain.as_ref().ok_or_else(|| no_chain(plant, "there is no chain form"))?;
+    let backward = Backward::new(&model.phi, &model.c, &chain.m, &chain.q);
+    let noise = plant.outputs[0].noise.as_ref().map_or(0.0, |noise| noise.to_f64().unwrap_or(0.0));
+    let disturbance = backward.disturbance(plant).unwrap_or(0.0);
+    let Gain::Sliding { law, calm } = &mut built.corrector.gain else { unreachable!("the gain of this law") };
+    let bound = plant.scalar_value(law.reach.double.max(disturbance) + backward.noise * noise);
+    *calm = bound;
+    let short = backward.error(&law.shortfall(bound));
+    let whole = built.certificate.error_bound.iter().zip(short).map(|(linear, short)| linear.map(|it| it + short));
+    // The gains are those of backward differences, not of this law: what holds of it is the bound.
+    let error_bound = whole.collect();
+    built.certificate = Certificate { error_bound, ..Certificate::default() };
+    Ok(Calm { bound, disturbance })
 }
 
 fn shown(value: &Constant) -> String {
