@@ -9,7 +9,7 @@
 //! **Missing samples.** Without a good sample nothing is corrected, and the countdown waits: the deadline moves by the
 //! calls without one. The estimate is `Coasting` until as many good calls in a row as the first convergence took. A
 //! state beyond the floats' guard starts the observer again. Under the sliding law an innovation that is not explained
-//! makes both counts begin again.
+//! makes both counts begin again, and one wider than the output's range starts the observer again.
 
 mod gain;
 mod known;
@@ -145,7 +145,7 @@ impl Lowering<'_> {
         let corrected: Vec<Value> =
             predicted.state.iter().zip(corrections).map(|(x, more)| self.builder.add(*x, more)).collect();
         self.builder.section("the first sample starts the observer; so does a state beyond all bounds");
-        let again = self.starts_again(&corrected);
+        let again = self.starts_again(&innovation, &corrected);
         let state = self.store(&predicted, &corrected, (again, left));
         let calm = self.calm(&innovation);
         let counts = self.count(&predicted, again, calm);
@@ -192,17 +192,30 @@ impl Lowering<'_> {
     }
 
     /// Whether the observer has no state yet, or one that nothing reasonable leads to.
-    fn starts_again(&mut self, corrected: &[Value]) -> Value {
+    fn starts_again(&mut self, innovation: &[Value], corrected: &[Value]) -> Value {
         let bound = self.guard.bound;
         let none = self.builder.index(0);
         let good = self.builder.read(self.cells.good);
         let mut again = self.builder.index_equal(good, none);
+        if let Some(width) = self.farthest() {
+            let near = self.builder.in_range(innovation[0], -width, width);
+            let far = self.builder.not(near);
+            again = self.builder.or(again, far);
+        }
         for value in corrected {
             let sane = self.builder.in_range(*value, -bound, bound);
             let wild = self.builder.not(sane);
             again = self.builder.or(again, wild);
         }
         again
+    }
+
+    /// How wide the output's range is, where the law takes longer the larger the error: a prediction further off than that is
+    /// worse than none.
+    fn farthest(&self) -> Option<f64> {
+        let sliding = matches!(self.design.gain, Gain::Sliding { .. }) && self.plant.outputs[0].range.is_some();
+        let (low, high) = self.guard.outputs[0];
+        sliding.then(|| self.plant.scalar_value(high - low))
     }
 
     /// The state after this call: corrected, or the start.

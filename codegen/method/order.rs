@@ -37,7 +37,7 @@ pub fn read(table: &mut Table, orders: RangeInclusive<usize>) -> Option<Order> {
         let order = usize::try_from(number.numerator().clone()).ok().filter(|order| orders.contains(order));
         if order.is_none() {
             let message = format!("`order` must be from {} to {}", orders.start(), orders.end());
-            let error = Diagnostic::error(codes::BAD_NUMBER, span, message);
+            let error = Diagnostic::error(codes::BAD_NUMBER, span, message).measured(number.to_f64().value());
             table.report(error.help("the output and its first order - 1 derivatives are estimated"));
         }
         order

@@ -43,10 +43,10 @@ typedef struct {
     float t61;
     float t62;
     float t63;
-    float t78;
-    float t97;
-    float t99;
-    robust_exact_status t107;
+    float t81;
+    float t100;
+    float t102;
+    robust_exact_status t110;
     int flags[1]; /* t1 */
 } robust_exact_work;
 
@@ -128,46 +128,49 @@ static void robust_exact_part_2(robust_exact_state *state, robust_exact_work *wo
     /* the first sample starts the observer; so does a state beyond all bounds */
     const uint32_t t65 = state->good;
     const int t66 = t65 == 0U;
-    const int t67 = (-1e25f <= work->t61) && (work->t61 <= 1e25f);
+    const int t67 = (-12.566371f <= work->t9) && (work->t9 <= 12.566371f);
     const int t68 = !t67;
     const int t69 = t66 || t68;
-    const int t70 = (-1e25f <= work->t62) && (work->t62 <= 1e25f);
+    const int t70 = (-1e25f <= work->t61) && (work->t61 <= 1e25f);
     const int t71 = !t70;
     const int t72 = t69 || t71;
-    const int t73 = (-1e25f <= work->t63) && (work->t63 <= 1e25f);
+    const int t73 = (-1e25f <= work->t62) && (work->t62 <= 1e25f);
     const int t74 = !t73;
     const int t75 = t72 || t74;
-    const float t76 = 0.0f + work->t0;
-    const float t77 = work->flags[0] ? t76 : 0.0f;
-    work->t78 = t75 ? t77 : work->t61;
-    state->xi1 = work->t78;
-    const float t79 = t75 ? 0.0f : work->t62;
-    state->xi2 = t79;
-    const float t80 = t75 ? 0.0f : work->t63;
-    state->xi3 = t80;
-    const int t81 = (-0.001655f <= work->t9) && (work->t9 <= 0.001655f);
-    const uint32_t t83 = work->flags[0] ? 1U : 0U;
-    const uint32_t t84 = (t65 < 4U) ? (t65 + 1U) : 4U;
-    const uint32_t t85 = t81 ? t84 : 1U;
-    const uint32_t t86 = work->flags[0] ? t85 : t65;
-    const uint32_t t87 = t75 ? t83 : t86;
-    state->good = t87;
-    const uint32_t t88 = state->clean;
-    const uint32_t t89 = (t88 < 4U) ? (t88 + 1U) : 4U;
-    const uint32_t t90 = t81 ? t89 : 1U;
-    const uint32_t t91 = work->flags[0] ? t90 : 0U;
-    const uint32_t t92 = t75 ? t83 : t91;
-    state->clean = t92;
+    const int t76 = (-1e25f <= work->t63) && (work->t63 <= 1e25f);
+    const int t77 = !t76;
+    const int t78 = t75 || t77;
+    const float t79 = 0.0f + work->t0;
+    const float t80 = work->flags[0] ? t79 : 0.0f;
+    work->t81 = t78 ? t80 : work->t61;
+    state->xi1 = work->t81;
+    const float t82 = t78 ? 0.0f : work->t62;
+    state->xi2 = t82;
+    const float t83 = t78 ? 0.0f : work->t63;
+    state->xi3 = t83;
+    const int t84 = (-0.001655f <= work->t9) && (work->t9 <= 0.001655f);
+    const uint32_t t86 = work->flags[0] ? 1U : 0U;
+    const uint32_t t87 = (t65 < 4U) ? (t65 + 1U) : 4U;
+    const uint32_t t88 = t84 ? t87 : 1U;
+    const uint32_t t89 = work->flags[0] ? t88 : t65;
+    const uint32_t t90 = t78 ? t86 : t89;
+    state->good = t90;
+    const uint32_t t91 = state->clean;
+    const uint32_t t92 = (t91 < 4U) ? (t91 + 1U) : 4U;
+    const uint32_t t93 = t84 ? t92 : 1U;
+    const uint32_t t94 = work->flags[0] ? t93 : 0U;
+    const uint32_t t95 = t78 ? t86 : t94;
+    state->clean = t95;
 
     /* the estimate */
-    const float t94 = 200.0f * t79;
-    const float t96 = 100.0f * t80;
-    work->t97 = t94 + t96;
-    work->t99 = 40000.0f * t80;
-    const int t104 = 3U < t87;
-    const int t105 = 3U < t92;
-    const robust_exact_status t106 = t105 ? ROBUST_EXACT_CONVERGED : ROBUST_EXACT_COASTING;
-    work->t107 = t104 ? t106 : ROBUST_EXACT_CONVERGING;
+    const float t97 = 200.0f * t82;
+    const float t99 = 100.0f * t83;
+    work->t100 = t97 + t99;
+    work->t102 = 40000.0f * t83;
+    const int t107 = 3U < t90;
+    const int t108 = 3U < t95;
+    const robust_exact_status t109 = t108 ? ROBUST_EXACT_CONVERGED : ROBUST_EXACT_COASTING;
+    work->t110 = t107 ? t109 : ROBUST_EXACT_CONVERGING;
 }
 
 void robust_exact_init(robust_exact_state *state)
@@ -186,8 +189,8 @@ void robust_exact_step(robust_exact_state *state, const robust_exact_measurement
     robust_exact_part_1(state, measurements, &work);
     robust_exact_part_2(state, &work);
 
-    estimate->angle = work.t78;
-    estimate->dangle = work.t97;
-    estimate->d2angle = work.t99;
-    estimate->status = work.t107;
+    estimate->angle = work.t81;
+    estimate->dangle = work.t100;
+    estimate->d2angle = work.t102;
+    estimate->status = work.t110;
 }

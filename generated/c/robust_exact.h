@@ -22,7 +22,7 @@
  *
  * Cost       44 multiplications, 54 additions, 8 divisions a call, the same for every call
  * Memory     state 20 bytes, constants 72 bytes
- *            at most: stack 1128 bytes, flash 4016 bytes without elementary functions
+ *            at most: stack 1152 bytes, flash 4140 bytes without elementary functions
  *
  * Contract:
  *  1. No heap, no recursion, no global or static mutable data, no file or console, no library.

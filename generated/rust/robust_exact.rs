@@ -23,7 +23,7 @@
 //!
 //! Cost       44 multiplications, 54 additions, 8 divisions a call, the same for every call
 //! Memory     state 20 bytes, constants 72 bytes
-//!            at most: stack 1128 bytes, flash 4016 bytes without elementary functions
+//!            at most: stack 1152 bytes, flash 4140 bytes without elementary functions
 //!
 //! Contract:
 //!  1. No heap, no recursion, no global or static mutable data, no file or console, no library.
@@ -99,10 +99,10 @@ struct Work {
     t061: f32,
     t062: f32,
     t063: f32,
-    t078: f32,
-    t097: f32,
-    t099: f32,
-    t107: Status,
+    t081: f32,
+    t100: f32,
+    t102: f32,
+    t110: Status,
     /// t1
     flags: [bool; 1],
 }
@@ -115,10 +115,10 @@ impl Work {
         t061: 0.0,
         t062: 0.0,
         t063: 0.0,
-        t078: 0.0,
-        t097: 0.0,
-        t099: 0.0,
-        t107: Status::Converging,
+        t081: 0.0,
+        t100: 0.0,
+        t102: 0.0,
+        t110: Status::Converging,
         flags: [false; 1],
     };
 }
@@ -142,10 +142,10 @@ impl Observer {
         self.part_1(measurements, &mut work);
         self.part_2(&mut work);
         Estimate {
-            angle: work.t078,
-            dangle: work.t097,
-            d2angle: work.t099,
-            status: work.t107,
+            angle: work.t081,
+            dangle: work.t100,
+            d2angle: work.t102,
+            status: work.t110,
         }
     }
 
@@ -224,46 +224,49 @@ impl Observer {
         // the first sample starts the observer; so does a state beyond all bounds
         let t065 = self.good;
         let t066 = t065 == 0;
-        let t067 = (-1e25..=1e25).contains(&work.t061);
+        let t067 = (-12.566_371..=12.566_371).contains(&work.t009);
         let t068 = !t067;
         let t069 = t066 || t068;
-        let t070 = (-1e25..=1e25).contains(&work.t062);
+        let t070 = (-1e25..=1e25).contains(&work.t061);
         let t071 = !t070;
         let t072 = t069 || t071;
-        let t073 = (-1e25..=1e25).contains(&work.t063);
+        let t073 = (-1e25..=1e25).contains(&work.t062);
         let t074 = !t073;
         let t075 = t072 || t074;
-        let t076 = 0.0 + work.t000;
-        let t077 = if work.flags[0] { t076 } else { 0.0 };
-        work.t078 = if t075 { t077 } else { work.t061 };
-        self.xi1 = work.t078;
-        let t079 = if t075 { 0.0 } else { work.t062 };
-        self.xi2 = t079;
-        let t080 = if t075 { 0.0 } else { work.t063 };
-        self.xi3 = t080;
-        let t081 = (-0.001_655..=0.001_655).contains(&work.t009);
-        let t083 = usize::from(work.flags[0]);
-        let t084 = if t065 < 4 { t065 + 1 } else { 4 };
-        let t085 = if t081 { t084 } else { 1 };
-        let t086 = if work.flags[0] { t085 } else { t065 };
-        let t087 = if t075 { t083 } else { t086 };
-        self.good = t087;
-        let t088 = self.clean;
-        let t089 = if t088 < 4 { t088 + 1 } else { 4 };
-        let t090 = if t081 { t089 } else { 1 };
-        let t091 = if work.flags[0] { t090 } else { 0 };
-        let t092 = if t075 { t083 } else { t091 };
-        self.clean = t092;
+        let t076 = (-1e25..=1e25).contains(&work.t063);
+        let t077 = !t076;
+        let t078 = t075 || t077;
+        let t079 = 0.0 + work.t000;
+        let t080 = if work.flags[0] { t079 } else { 0.0 };
+        work.t081 = if t078 { t080 } else { work.t061 };
+        self.xi1 = work.t081;
+        let t082 = if t078 { 0.0 } else { work.t062 };
+        self.xi2 = t082;
+        let t083 = if t078 { 0.0 } else { work.t063 };
+        self.xi3 = t083;
+        let t084 = (-0.001_655..=0.001_655).contains(&work.t009);
+        let t086 = usize::from(work.flags[0]);
+        let t087 = if t065 < 4 { t065 + 1 } else { 4 };
+        let t088 = if t084 { t087 } else { 1 };
+        let t089 = if work.flags[0] { t088 } else { t065 };
+        let t090 = if t078 { t086 } else { t089 };
+        self.good = t090;
+        let t091 = self.clean;
+        let t092 = if t091 < 4 { t091 + 1 } else { 4 };
+        let t093 = if t084 { t092 } else { 1 };
+        let t094 = if work.flags[0] { t093 } else { 0 };
+        let t095 = if t078 { t086 } else { t094 };
+        self.clean = t095;
 
         // the estimate
-        let t094 = 200.0 * t079;
-        let t096 = 100.0 * t080;
-        work.t097 = t094 + t096;
-        work.t099 = 40000.0 * t080;
-        let t104 = 3 < t087;
-        let t105 = 3 < t092;
-        let t106 = if t105 { Status::Converged } else { Status::Coasting };
-        work.t107 = if t104 { t106 } else { Status::Converging };
+        let t097 = 200.0 * t082;
+        let t099 = 100.0 * t083;
+        work.t100 = t097 + t099;
+        work.t102 = 40000.0 * t083;
+        let t107 = 3 < t090;
+        let t108 = 3 < t095;
+        let t109 = if t108 { Status::Converged } else { Status::Coasting };
+        work.t110 = if t107 { t109 } else { Status::Converging };
     }
 }
 const _: f32 = SAMPLE_TIME;

@@ -96,7 +96,7 @@ def product(roots):
     return [x.real if hasattr(x, "real") else x for x in c]
 
 
-# specs/two_mass_kalman.toml without its sine: motor and load on an elastic shaft, both angles measured.
+# specs/two_mass_kalman.toml: motor and load on an elastic shaft, both angles measured.
 stiffness, damping, motor, load = mpf(400), mpf("0.2"), mpf("0.01"), mpf("0.05")
 a = matrix([
     [0, 0, 1, 0], [0, 0, 0, 1],

@@ -32,7 +32,10 @@ pub fn truth(name: &str) -> Option<Truth> {
         "robust_exact" => swinging(),
         "small_memory" => small_memory(),
         "thermal_stack" => thermal_stack(),
-        "two_mass_drive" | "two_mass_kalman" => two_mass_drive(),
+        "two_mass_drive" => two_mass_drive(),
+        "two_mass_kalman" => {
+            Truth { outputs: Box::new(|x| vec![x[0], x[1]]), delays: vec![0.0; 2], ..drive_prescribed() }
+        }
         "unknown_discrete" => unknown_discrete(),
         "unknown_force" => unknown_force(),
         "unknown_force_network" => unknown_force_network(),

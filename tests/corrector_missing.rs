@@ -1,0 +1,250 @@
+//! Claim: correctors of every method bridge missing samples: what is not finite or out of range corrects nothing, the
+//! status says so until as many good calls in a row have followed as convergence takes, and without noise nothing is
+//! left of it in the end. No bits and no number of missing samples make a state non-finite.
+
+#![allow(clippy::cast_possible_truncation, reason = "bits of a single stand in the lower half of a word")]
+
+#[path = "support/plant.rs"]
+mod plant;
+
+use deadbeat_codegen::Generated;
+use deadbeat_codegen::design::Convergence;
+use deadbeat_codegen::program::interp::Interpreter;
+use deadbeat_codegen::program::{Scalar, Status};
+use plant::{Hold, Random, Run, Truth, designed_in};
+
+const H: f64 = 0.01;
+
+/// Every method that predicts and corrects, with its keys.
+const METHODS: [(&str, &str); 13] = [
+    ("prescribed-time", "time = 0.3"),
+    ("prescribed-time", "time = 0.3\nstop_before = 0"),
+    ("prescribed-time", "time = 0.3\nafter = 'restart'"),
+    ("prescribed-time", "time = 0.3\nholloway-krstic = { m = 2, l = [3, 2] }\nstop_before = 5"),
+    ("prescribed-time", "time = 0.3\nefimov-orlov = { L = [80, 1600] }\nstop_before = 3"),
+    ("prescribed-time", "time = 0.3\nafter = 'handover'\nprocess_noise = [1e-8, 1e-4]\nmeasurement_noise = [1e-6]"),
+    (
+        "prescribed-time",
+        "time = 0.3\nkalman = { process_noise = [1e-8, 1e-4], measurement_noise = [1e-6], initial_deviation = 10 }",
+    ),
+    ("luenberger", "poles = [[-30, 10], [-30, -10]]"),
+    ("kalman", "process_noise = [1e-8, 1e-4]\nmeasurement_noise = [1e-6]"),
+    ("high-gain", "gain = 40\npoles = [-1, -1]"),
+    ("fixed-time-linear", ""),
+    ("robust-exact", "lipschitz = 50"),
+    ("kalman", ""),
+];
+
+fn oscillator(method: &str, keys: &str) -> String {
+    format!(
+        "deadbeat = 1\nname = 'o'\n[states]\nx = {{ derivative = 'v' }}\nv = {{ derivative = 'u - 9*x - 0.4*v + w' }}\n\
+         [inputs]\nu = {{}}\n[outputs]\nx = {{ value = 'x', noise = 1e-3, range = [-10, 10] }}\n[disturbances]\n\
+         w = {{ bound = 1 }}\n[observer.{method}]\n{keys}\n[target]\nsample_time = {H}\n"
+    )
+}
+
+fn truth() -> Truth {
+    Truth {
+        discrete: false,
+        change: Box::new(|_, x, u| vec![x[1], u[0] - 9.0 * x[0] - 0.4 * x[1]]),
+        outputs: Box::new(|x| vec![x[0]]),
+        delays: vec![0.0],
+        holds: vec![Hold::Zero],
+        start: vec![(-1.0, 1.0), (-3.0, 3.0)],
+        input: vec![(-3.0, 3.0)],
+        exact: true,
+    }
+}
+
+/// What can stand where a sample is missing.
+const BAD: [f64; 5] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 10.5, -1e300];
+
+fn each(body: impl Fn(&str, &Generated)) {
+    for (method, keys) in METHODS {
+        for scalar in [Scalar::F32, Scalar::F64] {
+            let generated = designed_in(&oscillator(method, keys), scalar);
+            body(&format!("{method} {keys:?} {scalar}"), &generated);
+        }
+    }
+}
+
+/// The run with bad samples at some calls, what they are by turns.
+fn without(run: &Run, missing: impl Fn(usize) -> bool) -> Run {
+    let mut run = run.clone();
+    let mut bad = BAD.iter().cycle();
+    for (_, sample) in run.measurements.iter_mut().enumerate().filter(|(call, _)| missing(*call)) {
+        sample[0] = *bad.next().unwrap();
+    }
+    run
+}
+
+/// What the statuses must be from a call on: Converging until more than V good calls, then Coasting from a missing sample
+/// until more than V in a row.
+struct Counts {
+    enough: usize,
+    good: usize,
+    clean: usize,
+}
+
+impl Counts {
+    fn call(&mut self, there: bool) -> Status {
+        self.good += usize::from(there);
+        self.clean = if there { self.clean + 1 } else { 0 };
+        match (self.good > self.enough, self.clean > self.enough) {
+            (false, _) => Status::Converging,
+            (true, true) => Status::Converged,
+            (true, false) => Status::Coasting,
+        }
+    }
+}
+
+/// Single missing samples, pairs, bursts and one in twenty by chance, before and after convergence: the status of every
+/// call is what the counts of good calls say. A law that senses its convergence is held to them from then on.
+#[test]
+fn the_status_says_how_long_a_missing_sample_is_felt() {
+    each(|what, generated| {
+        let valid = generated.design.valid_from_step;
+        let calls = 12 * valid + 800;
+        let whole = truth().run(H, 1, calls, 3);
+        let mut random = Random::new(11);
+        let chance: Vec<bool> = (0..calls).map(|_| random.below(20) == 0).collect();
+        let sensed = matches!(generated.design.convergence, Convergence::Sensed { .. });
+        let from = if sensed { 400 } else { 0 };
+        let last = from + 3 * valid;
+        let patterns: [&dyn Fn(usize) -> bool; 5] = [
+            &|call| call < 3,
+            &|call| call == valid / 2 || call == last,
+            &|call| call == last || call == last + 2,
+            &|call| (last..last + 60).contains(&call),
+            &|call| chance[call],
+        ];
+        for (number, missing) in patterns.iter().enumerate() {
+            let missing = |call: usize| call >= from && missing(call);
+            let answers = without(&whole, missing).through(generated);
+            let mut counts = Counts { enough: valid, good: 0, clean: 0 };
+            let mut began = false;
+            for (call, status) in answers.statuses.iter().enumerate() {
+                if sensed && call < from {
+                    // Until then it may converge when it likes.
+                    assert!(call < from - 1 || *status == Status::Converged, "{what}: not after {call} calls");
+                    (counts.good, counts.clean) = (valid + 1, valid + 1);
+                    continue;
+                }
+                // Nothing has begun before the first good sample.
+                began |= !missing(call);
+                let expected = if began || sensed { counts.call(!missing(call)) } else { Status::Converging };
+                assert_eq!(*status, expected, "{what}, pattern {number}, call {call}");
+            }
+        }
+    });
+}
+
+/// Without noise, one sample in twenty lost and a burst: the error goes on dying out, to rounding.
+#[test]
+fn nothing_is_left_of_missing_samples() {
+    each(|what, generated| {
+        let calls = 4_000;
+        let whole = truth().run(H, 1, calls, 5);
+        let mut random = Random::new(13);
+        let lost: Vec<bool> =
+            (0..calls).map(|call| call < 3_900 && (random.below(20) == 0 || (2_000..2_150).contains(&call))).collect();
+        let answers = without(&whole, |call| lost[call]).through(generated);
+        let epsilon = match generated.program.scalar {
+            Scalar::F32 => f64::from(f32::EPSILON),
+            Scalar::F64 => f64::EPSILON,
+        };
+        let errors = answers.errors(&whole, 3_990..calls);
+        for (i, error) in errors.iter().enumerate() {
+            // Rounding of samples of 1 enters like noise of that size, through gains of at most 2/h in the velocity; that of
+            // the states, over at most a hundred calls of memory.
+            let rounding = 100.0 * epsilon * if i == 0 { 1.0 } else { 2.0 / H };
+            assert!(*error <= rounding, "{what} state {i}: {error:e} of {rounding:e}");
+        }
+        assert!(answers.estimates.iter().flatten().all(|x| x.is_finite()), "{what}");
+    });
+}
+
+/// Any bits as samples and as inputs: estimates and cells stay finite, and good samples bring the estimate back where
+/// inputs have been sane.
+#[test]
+fn no_bits_make_the_state_other_than_finite() {
+    each(|what, generated| {
+        let mut random = Random::new(17);
+        let mut interpreter = Interpreter::new(&generated.program);
+        let mut any = |random: &mut Random| match generated.program.scalar {
+            Scalar::F32 => f64::from(f32::from_bits(random.bits() as u32)),
+            Scalar::F64 => f64::from_bits(random.bits()),
+        };
+        let mut estimate = [0.0; 2];
+        for call in 0..30_000 {
+            // Some good ones in between, so that it starts, and the largest that pass.
+            let sample = match random.below(4) {
+                0 => random.within(-10.0, 10.0),
+                1 => 10.0,
+                _ => any(&mut random),
+            };
+            let input = if call < 15_000 { any(&mut random) } else { random.within(-3.0, 3.0) };
+            interpreter.step(&[sample], &[input], &mut estimate);
+            assert!(estimate.iter().all(|x| x.is_finite()), "{what}, call {call}");
+            let cells = interpreter.cells();
+            assert!(cells.iter().flat_map(|(_, held)| held).all(|x| x.is_finite()), "{what}, call {call}");
+        }
+        let run = truth().run(H, 1, 12_000, 19);
+        for (measured, applied) in run.measurements.iter().zip(&run.inputs) {
+            interpreter.step(measured, applied, &mut estimate);
+        }
+        let state = run.states.last().unwrap();
+        let error = estimate.iter().zip(state).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+        // What single precision leaves in a velocity: see above.
+        assert!(error < 3e-3, "{what}: {estimate:?} {state:?}");
+    });
+}
+
+/// Coasting on a plant that grows ends where the floats do: the observer starts again, and converges again.
+#[test]
+fn a_coast_to_the_end_of_the_floats_starts_again() {
+    for (method, keys) in METHODS.into_iter().filter(|(_, keys)| !keys.contains("l = [3, 2]")) {
+        let text = oscillator(method, keys).replace("u - 9*x - 0.4*v", "u + 9*x - 0.4*v").replace("-30", "-40");
+        for scalar in [Scalar::F32, Scalar::F64] {
+            let generated = designed_in(&text, scalar);
+            let mut interpreter = Interpreter::new(&generated.program);
+            let mut estimate = [0.0; 2];
+            let mut status = Status::Converging;
+            for _ in 0..2_000 {
+                status = interpreter.step(&[0.5], &[-4.5], &mut estimate);
+            }
+            assert_eq!(status, Status::Converged, "{method} {keys:?} {scalar}");
+            let mut again = false;
+            for _ in 0..60_000 {
+                status = interpreter.step(&[f64::NAN], &[-3.0], &mut estimate);
+                assert!(estimate.iter().all(|x| x.is_finite()), "{method} {keys:?} {scalar}");
+                again |= status == Status::Converging;
+            }
+            assert!(again, "{method} {keys:?} {scalar}: {status:?} {estimate:?}");
+            for _ in 0..4_000 {
+                status = interpreter.step(&[0.5], &[-4.5], &mut estimate);
+            }
+            assert_eq!(status, Status::Converged, "{method} {keys:?} {scalar}: {estimate:?}");
+            assert!((estimate[0] - 0.5).abs() < 1e-4 && estimate[1].abs() < 1e-2, "{method} {keys:?}: {estimate:?}");
+        }
+    }
+}
+
+/// One of two outputs missing: the other still corrects, and the status says that something is missing.
+#[test]
+fn an_output_that_is_there_still_corrects() {
+    let text = "deadbeat = 1\nname = 'k'\n[plant]\ntime = 'discrete'\nA = [[1, 0.1], [0, 1]]\nC = [[1, 0], [0, 1]]\n\
+                [observer.kalman]\nprocess_noise = [1e-3, 1e-3]\nmeasurement_noise = [1e-2, 1e-2]\n[target]\n\
+                sample_time = 0.1\nscalar = 'f64'\n";
+    let generated = designed_in(text, Scalar::F64);
+    let mut interpreter = Interpreter::new(&generated.program);
+    let mut estimate = [0.0; 2];
+    interpreter.step(&[0.0, 0.0], &[], &mut estimate);
+    for call in 1..4_000 {
+        let position = 0.2 * f64::from(call);
+        let status = interpreter.step(&[position, f64::NAN], &[], &mut estimate);
+        assert!(status != Status::Converged);
+    }
+    // The gain is that for both outputs: by the one alone it takes longer.
+    assert!((estimate[1] - 2.0).abs() < 1e-9, "{estimate:?}");
+}
