@@ -214,13 +214,13 @@ pub(super) fn refuse_growth(plant: &Plant, exact: &Exact, counting: Counting) ->
     Err(vec![error.help("`after = \"handover\"`, or a longer `time`")])
 }
 
-/// What white noise leaves of the estimate, and what a table would; two lines at most.
+/// What white noise leaves of the estimate, and what a table would, which is called so; two lines at most.
 pub(in crate::method) fn notes(
     plant: &Plant,
     built: &Built,
     law: Option<&Law>,
     noise: Option<&noise::Model>,
-    table: &str,
+    alternative: &str,
 ) -> Vec<String> {
     let Some(noise) = law.map(|law| &law.noise).or(noise) else { return Vec::new() };
     let p = Precision::bits(BITS);
@@ -262,7 +262,7 @@ pub(in crate::method) fn notes(
     let theirs = noisy.deviations(start.to_f64(), &table);
     if is_better(&theirs, &ours) {
         notes.push(format!(
-            "{table}, handed over, leaves less of this noise: {} (from initial errors up to {UNKNOWN} times these)",
+            "{alternative}, handed over, leaves less of this noise: {} (from initial errors up to {UNKNOWN} times these)",
             pairs(plant, &theirs)
         ));
     }
