@@ -288,3 +288,38 @@ fn the_theorem_is_reported() {
     let other = notes("time = 2.5\nholloway-krstic = { m = 1 }");
     assert!(other.contains("(T-t)^(5-i)") && !other.contains("gamma_1"), "{other}");
 }
+
+/// The same gains by the other way: the chain as a plant of `prescribed-time`, in its own coordinates with M and q, while
+/// the countdown holds, restarts and hands over. Both agree to rounding, on a signal that no polynomial is.
+#[test]
+fn the_chain_as_a_plant_is_the_same_observer() {
+    let observer = |method: &str, order: &str, after: &str| {
+        format!("[observer.{method}]\n{order}time = 0.5\nholloway-krstic = {{ m = 2 }}\nafter = '{after}'\n")
+    };
+    let rest = "[disturbances]\nw = { bound = 3.0 }\n[target]\nsample_time = 0.01\nscalar = 'f64'\n";
+    for after in ["hold", "restart", "handover"] {
+        let chain = format!(
+            "deadbeat = 1\nname = 'probe'\n[outputs]\ny = {{ noise = 1e-3 }}\n{}{rest}",
+            observer("differentiator", "order = 3\n", after)
+        );
+        let plant = format!(
+            "deadbeat = 1\nname = 'probe'\n[states]\ny = {{ derivative = 'dy' }}\ndy = {{ derivative = 'd2y' }}\n\
+             d2y = {{ derivative = 'w' }}\n[outputs]\ny = {{ value = 'y', noise = 1e-3 }}\n{}{rest}",
+            observer("prescribed-time", "", after)
+        );
+        let samples: Vec<f64> = (0..200).map(|k| (f64::from(k) * 0.07).sin()).collect();
+        let [ours, theirs] = [chain, plant].map(|text| {
+            let generated = designed(&text);
+            (fed(&generated, &samples), generated.design.certificate)
+        });
+        assert_eq!(ours.0.1, theirs.0.1, "{after}: the status");
+        assert_eq!(ours.1.error_bound, theirs.1.error_bound, "{after}: the certificate");
+        for (i, gains) in ours.1.noise_gain_l1.iter().enumerate() {
+            let apart = ours.0.0.iter().zip(&theirs.0.0).map(|(a, b)| (a[i] - b[i]).abs()).fold(0.0, f64::max);
+            // Every call rounds the innovation and three states a few times, which enters as noise does.
+            let rounding = 0.5 * f64::EPSILON * 16.0 * gains[0];
+            println!("{after}, derivative {i}: {apart:.1e} of {rounding:.1e}");
+            assert!(apart <= rounding, "{after}, derivative {i}: {apart:e} above {rounding:e}");
+        }
+    }
+}

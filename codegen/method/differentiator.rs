@@ -15,7 +15,8 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use super::countdown::{self, Countdown};
-use super::prescribed_time::{exactly, promised, refuse_delays, summary, weak};
+use super::noise;
+use super::prescribed_time::{exactly, filter, promised, refuse_delays, summary, weak};
 use super::window::{constants, refuse_unknowns, resolution_warnings, verdict};
 use super::{Keyed, Method, Moment};
 use crate::corrector::After;
@@ -45,6 +46,9 @@ pub const METHOD: Method = Method {
         countdown::AFTER,
         countdown::STOP_BEFORE,
         countdown::MAX_GAIN,
+        noise::KEYS[0],
+        noise::KEYS[1],
+        noise::KEYS[2],
         countdown::INITIAL,
     ],
     realizations: &[("recursive", "the scaled chain is carried on from call to call, and corrected")],
@@ -74,6 +78,8 @@ struct Keys {
     prediction: Prediction,
     initial: Option<(Vec<Quantity>, Range<usize>)>,
     countdown: countdown::Keys,
+    /// Of the handover, and of the filter that the gains are compared with.
+    noise: noise::Keys,
 }
 
 fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
@@ -86,7 +92,8 @@ fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
     table.choice("realization", &[("auto", ()), ("recursive", ())], ());
     let initial = table.list("initial");
     let countdown = countdown::read(table);
-    Some(Arc::new(Keys { order: order?, prediction, initial, countdown: countdown? }))
+    let noise = noise::read(table);
+    Some(Arc::new(Keys { order: order?, prediction, initial, countdown: countdown?, noise }))
 }
 
 fn read_order(table: &mut Table) -> Option<usize> {
@@ -118,13 +125,16 @@ impl Keyed for Keys {
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {
         let countdown = self.countdown(plant)?;
+        let noise = self.noise(plant)?;
         let condition = verdict(plant, &[0], self.order, &self.countdown.time.span())?;
         let model = |p: Precision| self.model(plant, p);
-        let law = |_: &Model, p: Precision| match countdown.rows(plant, p) {
-            Some(rows) => Ok((Law::Countdown(rows), None)),
-            None => Err(countdown::no_value(plant)),
-        };
         let counting = countdown.counting;
+        let handover = noise.as_ref().filter(|_| counting.after == After::Handover);
+        let law = |model: &Model, p: Precision| {
+            let steady = handover.map(|noise| filter::handover(plant, noise, model, p)).transpose()?;
+            let rows = countdown.rows(plant, p).ok_or_else(|| countdown::no_value(plant))?;
+            Ok((Law::Countdown(rows), steady))
+        };
         let promise = Promise::At(promised(counting, self.order));
         let request = Request { plant, signals: Vec::new(), counting, scaled: true, promise, model: &model, law: &law };
         let mut built = build(&request)?;
@@ -148,6 +158,15 @@ impl Keyed for Keys {
         let mut all_notes = notes::exponents(plant, &countdown);
         all_notes.extend(proved.map(|found| notes::inequalities(plant, &countdown, found.as_ref())));
         all_notes.push(notes::lag(plant, self.order, self.lags()));
+        if !self.lags() {
+            all_notes.extend(filter::notes(
+                plant,
+                &built,
+                None,
+                noise.as_ref(),
+                "the law `kalman` of `prescribed-time`",
+            ));
+        }
         Ok(Design {
             method: METHOD.name,
             realization: "recursive",
@@ -190,17 +209,21 @@ impl Keys {
     fn countdown(&self, plant: &Plant) -> Result<Countdown, Vec<Diagnostic>> {
         let mut found = refuse_unknowns(plant, METHOD.name);
         refuse_delays(plant, METHOD.name, &mut found);
-        if self.countdown.after.0 == After::Handover {
-            let message = "the method `differentiator` has no steady gain to hand over to";
+        if self.countdown.after.0 == After::Handover && self.lags() {
+            let message = "a Kalman gain is of the exact chain, and this prediction is not";
             let error = Diagnostic::error(codes::METHOD_CANNOT, self.countdown.after.1.clone(), message);
-            found.push(
-                error.help(
-                    "keep the last gain by `after = \"hold\"`, or use `prescribed-time` with the chain as a plant",
-                ),
-            );
+            found.push(error.help("leave `prediction` out, or keep the last gain by `after = \"hold\"`"));
         }
         let countdown = Countdown::new(plant, &self.countdown, &mut found);
         countdown.filter(|_| found.is_empty()).ok_or(found)
+    }
+
+    /// What the derivative of order n and the samples are taken to do: for a handover it must be said, else it may be.
+    fn noise(&self, plant: &Plant) -> Result<Option<noise::Model>, Vec<Diagnostic>> {
+        let mut found = Vec::new();
+        let noise = self.noise.check(plant, &mut found);
+        let asked = self.noise.given() || self.countdown.after.0 == After::Handover;
+        if asked && !found.is_empty() { Err(found) } else { Ok(noise) }
     }
 
     /// Whether derivatives are backward differences: with two states those are the exact chain's.

@@ -11,7 +11,7 @@
 //! **Conditions.** (C, A) observable with one output at the sample time, no delay, nonlinearities in measured states,
 //! inputs and time only.
 
-mod filter;
+pub(super) mod filter;
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -157,7 +157,7 @@ impl Keyed for Keys {
         let built = build(&request)?;
         filter::refuse_growth(plant, &built.exact, counting)?;
         let mut notes = gains.notes(plant);
-        notes.extend(filter::notes(plant, &built, gains.filter(), noise.as_ref()));
+        notes.extend(filter::notes(plant, &built, gains.filter(), noise.as_ref(), "the law `kalman`"));
         let Built { corrector, exact, schedule, certificate, mut numerics, convergence, remaining } = built;
         numerics.condition = condition;
         let mut warnings = Vec::new();

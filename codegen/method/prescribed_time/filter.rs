@@ -137,7 +137,7 @@ impl Keys {
 
 /// The law `kalman`.
 #[derive(Clone, Debug)]
-pub(super) struct Law {
+pub(in crate::method) struct Law {
     noise: noise::Model,
     /// Per state.
     deviations: Vec<Constant>,
@@ -173,7 +173,7 @@ fn readout(plant: &Plant, p: Precision) -> Matrix {
 }
 
 /// The steady gain of a handover.
-pub(super) fn handover(
+pub(in crate::method) fn handover(
     plant: &Plant,
     noise: &noise::Model,
     model: &Model,
@@ -214,8 +214,14 @@ pub(super) fn refuse_growth(plant: &Plant, exact: &Exact, counting: Counting) ->
     Err(vec![error.help("`after = \"handover\"`, or a longer `time`")])
 }
 
-/// What white noise leaves of the estimate, and what a table would; two lines at most.
-pub(super) fn notes(plant: &Plant, built: &Built, law: Option<&Law>, noise: Option<&noise::Model>) -> Vec<String> {
+/// What white noise leaves of the estimate, and what a table would, which is called so; two lines at most.
+pub(in crate::method) fn notes(
+    plant: &Plant,
+    built: &Built,
+    law: Option<&Law>,
+    noise: Option<&noise::Model>,
+    alternative: &str,
+) -> Vec<String> {
     let Some(noise) = law.map(|law| &law.noise).or(noise) else { return Vec::new() };
     let p = Precision::bits(BITS);
     let lead = built.schedule.lead.len();
@@ -256,7 +262,7 @@ pub(super) fn notes(plant: &Plant, built: &Built, law: Option<&Law>, noise: Opti
     let theirs = noisy.deviations(start.to_f64(), &table);
     if is_better(&theirs, &ours) {
         notes.push(format!(
-            "the law `kalman`, handed over, leaves less of this noise: {} (from initial errors up to {UNKNOWN} times these)",
+            "{alternative}, handed over, leaves less of this noise: {} (from initial errors up to {UNKNOWN} times these)",
             pairs(plant, &theirs)
         ));
     }
