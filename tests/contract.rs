@@ -1,5 +1,5 @@
-//! Claim: the contract that every generated file prints holds on the whole corpus, in the scalar that each specification names, and in CI in the other too:
-//! a test for each of its lines.
+//! Claim: the contract that every generated file prints holds on the whole corpus, in the scalar that each
+//! specification names, and in CI in the other too: a test for each of its lines.
 
 #[path = "support/compile.rs"]
 mod compile;
