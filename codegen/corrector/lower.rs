@@ -273,11 +273,10 @@ impl Lowering<'_> {
 
     /// The state from a first sample, per state.
     fn starts(&mut self, outputs: &[Value]) -> Vec<Value> {
-        if let Frame::Chain { .. } = self.design.frame {
-            let rests = self.rests();
-            return (0..rests.len())
-                .map(|i| if i == 0 { self.builder.add(rests[0], outputs[0]) } else { rests[i] })
-                .collect();
+        if let Frame::Chain { start, .. } = &self.design.frame {
+            let mut starts = self.rests();
+            starts[0] = if start[0].is_none() { outputs[0] } else { self.builder.add(starts[0], outputs[0]) };
+            return starts;
         }
         (0..self.plant.states.len()).map(|i| start(&mut self.builder, self.plant, i, outputs)).collect()
     }

@@ -16,6 +16,7 @@ use std::sync::Arc;
 
 use super::countdown::{self, Countdown};
 use super::noise;
+use super::order::{self, Order};
 use super::prescribed_time::{exactly, filter, promised, refuse_delays, summary, weak};
 use super::window::{constants, refuse_unknowns, resolution_warnings, verdict};
 use super::{Keyed, Method, Moment};
@@ -26,7 +27,7 @@ use crate::design::{Certificate, Convergence, Design, NamedMatrix, Shape};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::implicit_euler::{Gains, ImplicitEuler, output_map};
 use crate::plant::Plant;
-use crate::real::{Matrix, Precision, Rational, Real};
+use crate::real::{Precision, Rational, Real};
 use crate::spec::Quantity;
 use crate::spec::reader::Table;
 use crate::window::model::Model;
@@ -62,20 +63,11 @@ const MOST: usize = 8;
 /// Bits of what is reported of one step.
 const REPORTED_BITS: usize = 512;
 
-/// Which chain predicts.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Prediction {
-    /// A polynomial of degree n-1 between samples.
-    Exact,
-    /// 003 (10): derivatives are backward differences.
-    ImplicitEuler,
-}
-
 /// The method's keys.
 #[derive(Clone, Debug)]
 struct Keys {
     order: usize,
-    prediction: Prediction,
+    chain: Order,
     initial: Option<(Vec<Quantity>, Range<usize>)>,
     countdown: countdown::Keys,
     /// Of the handover, and of the filter that the gains are compared with.
@@ -83,30 +75,16 @@ struct Keys {
 }
 
 fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
-    let order = read_order(table);
+    let order = order::read(table, 2..=MOST);
     if !table.has("order") {
         table.missing("order", "write `order = 3` for the signal and two derivatives");
     }
-    let choices = [("exact", Prediction::Exact), ("implicit-euler", Prediction::ImplicitEuler)];
-    let prediction = table.choice("prediction", &choices, Prediction::Exact);
     table.choice("realization", &[("auto", ()), ("recursive", ())], ());
     let initial = table.list("initial");
     let countdown = countdown::read(table);
     let noise = noise::read(table);
-    Some(Arc::new(Keys { order: order?, prediction, initial, countdown: countdown?, noise }))
-}
-
-fn read_order(table: &mut Table) -> Option<usize> {
-    let (number, span) = table.whole("order")?;
-    match usize::try_from(number.numerator().clone()) {
-        Ok(order @ 2..=MOST) => Some(order),
-        _ => {
-            let message = format!("`order` must be a whole number from 2 to {MOST}");
-            let error = Diagnostic::error(codes::BAD_NUMBER, span, message).measured(number.to_f64().value());
-            table.report(error.help("write `order = 3` for the signal and two derivatives"));
-            None
-        }
-    }
+    let chain = order?;
+    Some(Arc::new(Keys { order: chain.order?, chain, initial, countdown: countdown?, noise }))
 }
 
 impl Keyed for Keys {
@@ -228,20 +206,12 @@ impl Keys {
 
     /// Whether derivatives are backward differences: with two states those are the exact chain's.
     fn lags(&self) -> bool {
-        self.prediction == Prediction::ImplicitEuler && self.order > 2
+        self.chain.euler && self.order > 2
     }
 
-    /// The chain from one sample to the next: exactly, or by `(I - h A)^-1`.
+    /// The chain from one sample to the next.
     fn model(&self, plant: &Plant, precision: Precision) -> Result<Model, Vec<Diagnostic>> {
-        let model = Model::new(plant, &[], precision)?;
-        if !self.lags() {
-            return Ok(model);
-        }
-        let Ok(h) = plant.sample_time.0.evaluate(precision) else { return Err(countdown::no_value(plant)) };
-        let power = |exponent: usize| (0..exponent).fold(Real::one(precision), |power, _| power * &h);
-        let n = self.order;
-        let phi = Matrix::from_fn(n, n, |i, j| if j >= i { power(j - i) } else { Real::zero(precision) });
-        Ok(Model { phi, ..model })
+        Order { euler: self.lags(), ..self.chain }.model(plant, &[], precision)
     }
 
     /// Without the bounds that implicit Euler's lag breaks: it grows with derivatives of which no bound is declared.

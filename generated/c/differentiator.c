@@ -24,16 +24,16 @@
 
 /* What one part of a step hands to the next. */
 typedef struct {
+    double t62;
     double t63;
     double t64;
     double t65;
-    double t66;
-    uint32_t t72;
-    uint32_t t76;
-    double t84;
-    double t88;
-    double t90;
-    differentiator_status t97;
+    uint32_t t71;
+    uint32_t t75;
+    double t83;
+    double t87;
+    double t89;
+    differentiator_status t96;
 } differentiator_work;
 
 /* Part 1 of a step. */
@@ -99,47 +99,46 @@ static void differentiator_part_1(differentiator_state *state, const differentia
     const int t58 = (-1e294 <= t46) && (t46 <= 1e294);
     const int t59 = !t58;
     const int t60 = t57 || t59;
-    const double t61 = 0.0 + t0;
-    const double t62 = t1 ? t61 : 0.0;
-    work->t63 = t60 ? t62 : t43;
-    state->xi1 = work->t63;
-    work->t64 = t60 ? 0.0 : t44;
-    state->xi2 = work->t64;
-    work->t65 = t60 ? 0.0 : t45;
-    state->xi3 = work->t65;
-    work->t66 = t60 ? 0.0 : t46;
-    state->xi4 = work->t66;
-    const uint32_t t67 = t60 ? 249U : t19;
-    state->left = t67;
-    const uint32_t t69 = t1 ? 1U : 0U;
-    const uint32_t t70 = (t47 < 250U) ? (t47 + 1U) : 250U;
-    const uint32_t t71 = t1 ? t70 : t47;
-    work->t72 = t60 ? t69 : t71;
-    state->good = work->t72;
-    const uint32_t t73 = state->clean;
-    const uint32_t t74 = (t73 < 250U) ? (t73 + 1U) : 250U;
-    const uint32_t t75 = t1 ? t74 : 0U;
-    work->t76 = t60 ? t69 : t75;
-    state->clean = work->t76;
+    const double t61 = t1 ? t0 : 0.0;
+    work->t62 = t60 ? t61 : t43;
+    state->xi1 = work->t62;
+    work->t63 = t60 ? 0.0 : t44;
+    state->xi2 = work->t63;
+    work->t64 = t60 ? 0.0 : t45;
+    state->xi3 = work->t64;
+    work->t65 = t60 ? 0.0 : t46;
+    state->xi4 = work->t65;
+    const uint32_t t66 = t60 ? 249U : t19;
+    state->left = t66;
+    const uint32_t t68 = t1 ? 1U : 0U;
+    const uint32_t t69 = (t47 < 250U) ? (t47 + 1U) : 250U;
+    const uint32_t t70 = t1 ? t69 : t47;
+    work->t71 = t60 ? t68 : t70;
+    state->good = work->t71;
+    const uint32_t t72 = state->clean;
+    const uint32_t t73 = (t72 < 250U) ? (t72 + 1U) : 250U;
+    const uint32_t t74 = t1 ? t73 : 0U;
+    work->t75 = t60 ? t68 : t74;
+    state->clean = work->t75;
 }
 
 /* Part 2 of a step. */
 static void differentiator_part_2(differentiator_work *work)
 {
     /* the estimate */
-    const double t78 = 100.0 * work->t64;
-    const double t80 = 50.0 * work->t65;
-    const double t82 = 33.333333333333336 * work->t66;
-    const double t83 = t78 + t80;
-    work->t84 = t83 + t82;
+    const double t77 = 100.0 * work->t63;
+    const double t79 = 50.0 * work->t64;
+    const double t81 = 33.333333333333336 * work->t65;
+    const double t82 = t77 + t79;
+    work->t83 = t82 + t81;
+    const double t85 = 10000.0 * work->t64;
     const double t86 = 10000.0 * work->t65;
-    const double t87 = 10000.0 * work->t66;
-    work->t88 = t86 + t87;
-    work->t90 = 1000000.0 * work->t66;
-    const int t94 = 249U < work->t72;
-    const int t95 = 249U < work->t76;
-    const differentiator_status t96 = t95 ? DIFFERENTIATOR_CONVERGED : DIFFERENTIATOR_COASTING;
-    work->t97 = t94 ? t96 : DIFFERENTIATOR_CONVERGING;
+    work->t87 = t85 + t86;
+    work->t89 = 1000000.0 * work->t65;
+    const int t93 = 249U < work->t71;
+    const int t94 = 249U < work->t75;
+    const differentiator_status t95 = t94 ? DIFFERENTIATOR_CONVERGED : DIFFERENTIATOR_COASTING;
+    work->t96 = t93 ? t95 : DIFFERENTIATOR_CONVERGING;
 }
 
 void differentiator_init(differentiator_state *state)
@@ -160,9 +159,9 @@ void differentiator_step(differentiator_state *state, const differentiator_measu
     differentiator_part_1(state, measurements, &work);
     differentiator_part_2(&work);
 
-    estimate->y = work.t63;
-    estimate->dy = work.t84;
-    estimate->d2y = work.t88;
-    estimate->d3y = work.t90;
-    estimate->status = work.t97;
+    estimate->y = work.t62;
+    estimate->dy = work.t83;
+    estimate->d2y = work.t87;
+    estimate->d3y = work.t89;
+    estimate->status = work.t96;
 }

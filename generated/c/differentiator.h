@@ -27,9 +27,9 @@
  *   gain from jounce, worst case             2.503e-5  0.001554  0.03235  0.2939
  *   error bound from noise and disturbances  0.007094  0.3956    7.349    62.98
  *
- * Cost       17 multiplications, 17 additions, 1 division a call, the same for every call
+ * Cost       17 multiplications, 16 additions, 1 division a call, the same for every call
  * Memory     state 48 bytes, constants 0 bytes
- *            at most: stack 1504 bytes, flash 3540 bytes without elementary functions
+ *            at most: stack 1488 bytes, flash 3512 bytes without elementary functions
  *
  * Contract:
  *  1. No heap, no recursion, no global or static mutable data, no file or console, no library.

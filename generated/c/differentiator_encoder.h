@@ -26,9 +26,9 @@
  *   gain from jerk, worst case               1.063e-8  1.786e-5  0.007497
  *   error bound from noise and disturbances  2.391e-4  0.1314    19.46
  *
- * Cost       11 multiplications, 12 additions, 1 division a call, the same for every call
+ * Cost       11 multiplications, 11 additions, 1 division a call, the same for every call
  * Memory     state 24 bytes, constants 0 bytes
- *            at most: stack 880 bytes, flash 2800 bytes without elementary functions
+ *            at most: stack 872 bytes, flash 2772 bytes without elementary functions
  *
  * Contract:
  *  1. No heap, no recursion, no global or static mutable data, no file or console, no library.

@@ -24,10 +24,10 @@
 
 /* What one part of a step hands to the next. */
 typedef struct {
-    float t67;
-    float t82;
-    float t84;
-    differentiator_euler_status t91;
+    float t66;
+    float t81;
+    float t83;
+    differentiator_euler_status t90;
 } differentiator_euler_work;
 
 /* Part 1 of a step. */
@@ -93,34 +93,33 @@ static void differentiator_euler_part_1(differentiator_euler_state *state, const
     const int t62 = (-1e34f <= t52) && (t52 <= 1e34f);
     const int t63 = !t62;
     const int t64 = t61 || t63;
-    const float t65 = 0.0f + t0;
-    const float t66 = t1 ? t65 : 0.0f;
-    work->t67 = t64 ? t66 : t50;
-    state->xi1 = work->t67;
-    const float t68 = t64 ? 0.0f : t51;
-    state->xi2 = t68;
-    const float t69 = t64 ? 0.0f : t52;
-    state->xi3 = t69;
-    const uint32_t t71 = t64 ? 105U : t13;
-    state->left = t71;
-    const uint32_t t73 = t1 ? 1U : 0U;
-    const uint32_t t74 = (t54 < 106U) ? (t54 + 1U) : 106U;
-    const uint32_t t75 = t1 ? t74 : t54;
-    const uint32_t t76 = t64 ? t73 : t75;
-    state->good = t76;
-    const uint32_t t77 = state->clean;
-    const uint32_t t78 = (t77 < 106U) ? (t77 + 1U) : 106U;
-    const uint32_t t79 = t1 ? t78 : 0U;
-    const uint32_t t80 = t64 ? t73 : t79;
-    state->clean = t80;
+    const float t65 = t1 ? t0 : 0.0f;
+    work->t66 = t64 ? t65 : t50;
+    state->xi1 = work->t66;
+    const float t67 = t64 ? 0.0f : t51;
+    state->xi2 = t67;
+    const float t68 = t64 ? 0.0f : t52;
+    state->xi3 = t68;
+    const uint32_t t70 = t64 ? 105U : t13;
+    state->left = t70;
+    const uint32_t t72 = t1 ? 1U : 0U;
+    const uint32_t t73 = (t54 < 106U) ? (t54 + 1U) : 106U;
+    const uint32_t t74 = t1 ? t73 : t54;
+    const uint32_t t75 = t64 ? t72 : t74;
+    state->good = t75;
+    const uint32_t t76 = state->clean;
+    const uint32_t t77 = (t76 < 106U) ? (t76 + 1U) : 106U;
+    const uint32_t t78 = t1 ? t77 : 0U;
+    const uint32_t t79 = t64 ? t72 : t78;
+    state->clean = t79;
 
     /* the estimate */
-    work->t82 = 2.0f * t68;
-    work->t84 = 4.0f * t69;
-    const int t88 = 105U < t76;
-    const int t89 = 105U < t80;
-    const differentiator_euler_status t90 = t89 ? DIFFERENTIATOR_EULER_CONVERGED : DIFFERENTIATOR_EULER_COASTING;
-    work->t91 = t88 ? t90 : DIFFERENTIATOR_EULER_CONVERGING;
+    work->t81 = 2.0f * t67;
+    work->t83 = 4.0f * t68;
+    const int t87 = 105U < t75;
+    const int t88 = 105U < t79;
+    const differentiator_euler_status t89 = t88 ? DIFFERENTIATOR_EULER_CONVERGED : DIFFERENTIATOR_EULER_COASTING;
+    work->t90 = t87 ? t89 : DIFFERENTIATOR_EULER_CONVERGING;
 }
 
 void differentiator_euler_init(differentiator_euler_state *state)
@@ -139,8 +138,8 @@ void differentiator_euler_step(differentiator_euler_state *state, const differen
     differentiator_euler_work work;
     differentiator_euler_part_1(state, measurements, &work);
 
-    estimate->temperature = work.t67;
-    estimate->dtemperature = work.t82;
-    estimate->d2temperature = work.t84;
-    estimate->status = work.t91;
+    estimate->temperature = work.t66;
+    estimate->dtemperature = work.t81;
+    estimate->d2temperature = work.t83;
+    estimate->status = work.t90;
 }

@@ -20,9 +20,9 @@
  *   noise gain from temperature, white       0.6988       0.3654        0.06254
  *   error bound from noise                   0.01246      -             -
  *
- * Cost       16 multiplications, 17 additions, 1 division a call, the same for every call
+ * Cost       16 multiplications, 16 additions, 1 division a call, the same for every call
  * Memory     state 24 bytes, constants 0 bytes
- *            at most: stack 992 bytes, flash 3160 bytes without elementary functions
+ *            at most: stack 984 bytes, flash 3132 bytes without elementary functions
  *
  * Contract:
  *  1. No heap, no recursion, no global or static mutable data, no file or console, no library.

@@ -43,10 +43,10 @@ typedef struct {
     float t61;
     float t62;
     float t63;
-    float t81;
-    float t100;
-    float t102;
-    robust_exact_status t110;
+    float t80;
+    float t99;
+    float t101;
+    robust_exact_status t109;
     int flags[1]; /* t1 */
 } robust_exact_work;
 
@@ -140,37 +140,36 @@ static void robust_exact_part_2(robust_exact_state *state, robust_exact_work *wo
     const int t76 = (-1e25f <= work->t63) && (work->t63 <= 1e25f);
     const int t77 = !t76;
     const int t78 = t75 || t77;
-    const float t79 = 0.0f + work->t0;
-    const float t80 = work->flags[0] ? t79 : 0.0f;
-    work->t81 = t78 ? t80 : work->t61;
-    state->xi1 = work->t81;
-    const float t82 = t78 ? 0.0f : work->t62;
-    state->xi2 = t82;
-    const float t83 = t78 ? 0.0f : work->t63;
-    state->xi3 = t83;
-    const int t84 = (-0.001655f <= work->t9) && (work->t9 <= 0.001655f);
-    const uint32_t t86 = work->flags[0] ? 1U : 0U;
-    const uint32_t t87 = (t65 < 4U) ? (t65 + 1U) : 4U;
-    const uint32_t t88 = t84 ? t87 : 1U;
-    const uint32_t t89 = work->flags[0] ? t88 : t65;
-    const uint32_t t90 = t78 ? t86 : t89;
-    state->good = t90;
-    const uint32_t t91 = state->clean;
-    const uint32_t t92 = (t91 < 4U) ? (t91 + 1U) : 4U;
-    const uint32_t t93 = t84 ? t92 : 1U;
-    const uint32_t t94 = work->flags[0] ? t93 : 0U;
-    const uint32_t t95 = t78 ? t86 : t94;
-    state->clean = t95;
+    const float t79 = work->flags[0] ? work->t0 : 0.0f;
+    work->t80 = t78 ? t79 : work->t61;
+    state->xi1 = work->t80;
+    const float t81 = t78 ? 0.0f : work->t62;
+    state->xi2 = t81;
+    const float t82 = t78 ? 0.0f : work->t63;
+    state->xi3 = t82;
+    const int t83 = (-0.001655f <= work->t9) && (work->t9 <= 0.001655f);
+    const uint32_t t85 = work->flags[0] ? 1U : 0U;
+    const uint32_t t86 = (t65 < 4U) ? (t65 + 1U) : 4U;
+    const uint32_t t87 = t83 ? t86 : 1U;
+    const uint32_t t88 = work->flags[0] ? t87 : t65;
+    const uint32_t t89 = t78 ? t85 : t88;
+    state->good = t89;
+    const uint32_t t90 = state->clean;
+    const uint32_t t91 = (t90 < 4U) ? (t90 + 1U) : 4U;
+    const uint32_t t92 = t83 ? t91 : 1U;
+    const uint32_t t93 = work->flags[0] ? t92 : 0U;
+    const uint32_t t94 = t78 ? t85 : t93;
+    state->clean = t94;
 
     /* the estimate */
-    const float t97 = 200.0f * t82;
-    const float t99 = 100.0f * t83;
-    work->t100 = t97 + t99;
-    work->t102 = 40000.0f * t83;
-    const int t107 = 3U < t90;
-    const int t108 = 3U < t95;
-    const robust_exact_status t109 = t108 ? ROBUST_EXACT_CONVERGED : ROBUST_EXACT_COASTING;
-    work->t110 = t107 ? t109 : ROBUST_EXACT_CONVERGING;
+    const float t96 = 200.0f * t81;
+    const float t98 = 100.0f * t82;
+    work->t99 = t96 + t98;
+    work->t101 = 40000.0f * t82;
+    const int t106 = 3U < t89;
+    const int t107 = 3U < t94;
+    const robust_exact_status t108 = t107 ? ROBUST_EXACT_CONVERGED : ROBUST_EXACT_COASTING;
+    work->t109 = t106 ? t108 : ROBUST_EXACT_CONVERGING;
 }
 
 void robust_exact_init(robust_exact_state *state)
@@ -189,8 +188,8 @@ void robust_exact_step(robust_exact_state *state, const robust_exact_measurement
     robust_exact_part_1(state, measurements, &work);
     robust_exact_part_2(state, &work);
 
-    estimate->angle = work.t81;
-    estimate->dangle = work.t100;
-    estimate->d2angle = work.t102;
-    estimate->status = work.t110;
+    estimate->angle = work.t80;
+    estimate->dangle = work.t99;
+    estimate->d2angle = work.t101;
+    estimate->status = work.t109;
 }

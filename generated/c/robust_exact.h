@@ -20,9 +20,9 @@
  *   error bound from noise and disturbances  9.381e-4  1.022   210.8
  *   at every call that says it has converged; no gains: the correction is no multiple of the noise
  *
- * Cost       44 multiplications, 54 additions, 8 divisions a call, the same for every call
+ * Cost       44 multiplications, 53 additions, 8 divisions a call, the same for every call
  * Memory     state 20 bytes, constants 72 bytes
- *            at most: stack 1152 bytes, flash 4140 bytes without elementary functions
+ *            at most: stack 1144 bytes, flash 4112 bytes without elementary functions
  *
  * Contract:
  *  1. No heap, no recursion, no global or static mutable data, no file or console, no library.

@@ -27,9 +27,9 @@
 //!   gain from jerk, worst case               1.063e-8  1.786e-5  0.007497
 //!   error bound from noise and disturbances  2.391e-4  0.1314    19.46
 //!
-//! Cost       11 multiplications, 12 additions, 1 division a call, the same for every call
+//! Cost       11 multiplications, 11 additions, 1 division a call, the same for every call
 //! Memory     state 24 bytes, constants 0 bytes
-//!            at most: stack 880 bytes, flash 2800 bytes without elementary functions
+//!            at most: stack 872 bytes, flash 2772 bytes without elementary functions
 //!
 //! Contract:
 //!  1. No heap, no recursion, no global or static mutable data, no file or console, no library.
@@ -150,41 +150,40 @@ impl Observer {
         let t45 = (-1e28..=1e28).contains(&t35);
         let t46 = !t45;
         let t47 = t44 || t46;
-        let t48 = 0.0 + t0;
-        let t49 = if t1 { t48 } else { 0.0 };
-        let t50 = if t47 { t49 } else { t33 };
-        self.xi1 = t50;
-        let t51 = if t47 { 0.0 } else { t34 };
-        self.xi2 = t51;
-        let t52 = if t47 { 0.0 } else { t35 };
-        self.xi3 = t52;
-        let t54 = if t47 { 180 } else { t13 };
-        self.left = t54;
-        let t56 = usize::from(t1);
-        let t57 = if t37 < 181 { t37 + 1 } else { 181 };
-        let t58 = if t1 { t57 } else { t37 };
-        let t59 = if t47 { t56 } else { t58 };
-        self.good = t59;
-        let t60 = self.clean;
-        let t61 = if t60 < 181 { t60 + 1 } else { 181 };
-        let t62 = if t1 { t61 } else { 0 };
-        let t63 = if t47 { t56 } else { t62 };
-        self.clean = t63;
+        let t48 = if t1 { t0 } else { 0.0 };
+        let t49 = if t47 { t48 } else { t33 };
+        self.xi1 = t49;
+        let t50 = if t47 { 0.0 } else { t34 };
+        self.xi2 = t50;
+        let t51 = if t47 { 0.0 } else { t35 };
+        self.xi3 = t51;
+        let t53 = if t47 { 180 } else { t13 };
+        self.left = t53;
+        let t55 = usize::from(t1);
+        let t56 = if t37 < 181 { t37 + 1 } else { 181 };
+        let t57 = if t1 { t56 } else { t37 };
+        let t58 = if t47 { t55 } else { t57 };
+        self.good = t58;
+        let t59 = self.clean;
+        let t60 = if t59 < 181 { t59 + 1 } else { 181 };
+        let t61 = if t1 { t60 } else { 0 };
+        let t62 = if t47 { t55 } else { t61 };
+        self.clean = t62;
 
         // the estimate
-        let t65 = 1000.0 * t51;
-        let t67 = 500.0 * t52;
-        let t68 = t65 + t67;
-        let t70 = 1_000_000.0 * t52;
-        let t74 = 180 < t59;
-        let t75 = 180 < t63;
-        let t76 = if t75 { Status::Converged } else { Status::Coasting };
-        let t77 = if t74 { t76 } else { Status::Converging };
+        let t64 = 1000.0 * t50;
+        let t66 = 500.0 * t51;
+        let t67 = t64 + t66;
+        let t69 = 1_000_000.0 * t51;
+        let t73 = 180 < t58;
+        let t74 = 180 < t62;
+        let t75 = if t74 { Status::Converged } else { Status::Coasting };
+        let t76 = if t73 { t75 } else { Status::Converging };
         Estimate {
-            angle: t50,
-            dangle: t68,
-            d2angle: t70,
-            status: t77,
+            angle: t49,
+            dangle: t67,
+            d2angle: t69,
+            status: t76,
         }
     }
 }
