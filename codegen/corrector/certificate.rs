@@ -28,7 +28,11 @@ impl Errors<'_> {
     pub fn certify(&self, valid: usize) -> Certificate {
         let kernel = Kernel::new(self.plant);
         let kernel = kernel.as_ref();
-        let worst = if self.cycle.len() == 1 { self.held(valid, kernel) } else { self.cycling(valid, kernel) };
+        let worst = match self.cycle.len() {
+            1 if self.is_constant() => self.constant(valid, kernel),
+            1 => self.held(valid, kernel),
+            _ => self.cycling(valid, kernel),
+        };
         let worst = worst.scaled(SLACK);
         let infinite = || vec![vec![f64::INFINITY; self.plant.disturbances.len()]; self.order()];
         let disturbance_gain_l1 = if kernel.is_some() { worst.disturbances.clone() } else { infinite() };
@@ -47,6 +51,34 @@ impl Errors<'_> {
     fn work(&self) -> f64 {
         let n = count(self.order());
         n * n * (3.0 * n + count(self.plant.outputs.len() + self.plant.disturbances.len()))
+    }
+
+    /// The worst call from V on, where the gain is the same at every call: each call adds to the sums of the one before.
+    fn constant(&self, valid: usize, kernel: Option<&Kernel>) -> Sums {
+        let (mut recent, mut rows) = (Sums::new(self.plant, self.signals.len()), self.back.clone());
+        let mut begun = vec![vec![0.0; self.signals.len()]; self.order()];
+        let step = self.transition(1);
+        let mut transition = identity(self.order());
+        let mut worst = recent.clone();
+        let (mut call, mut spent) = (0, 0.0);
+        while call < valid || frobenius(&transition) > COMPLETE {
+            call += 1;
+            rows = self.enter(&mut recent, &rows, &mut begun, 1, kernel);
+            transition = product(&transition, &step);
+            if call >= valid {
+                let mut all = recent.clone();
+                self.finish(&mut all, &rows, &begun, true);
+                worst.raise(&all);
+            }
+            spent += self.work();
+            if spent > 2.0 * MOST_WORK {
+                return Sums::infinite(self.plant, self.signals.len());
+            }
+        }
+        if valid == 0 {
+            worst.raise(&self.at(0, 0, kernel).0)
+        }
+        worst
     }
 
     /// The worst call from V on, where the gain stays.

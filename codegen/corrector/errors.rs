@@ -204,11 +204,21 @@ impl<'a> Errors<'a> {
         for k in (call + 1 - calls..=call).rev() {
             rows = self.enter(&mut sums, &rows, &mut begun, k, kernel);
         }
-        add_magnitudes(&mut sums.signals, &begun);
-        if calls == call {
-            sums.add_noise(&product(&product(&rows, &self.to), &self.starts()));
-        }
+        self.finish(&mut sums, &rows, &begun, calls == call);
         (sums, rows)
+    }
+
+    /// Adds what the oldest interval's signals began, and the first sample where it is the one before.
+    pub(super) fn finish(&self, sums: &mut Sums, rows: &Dense, begun: &Dense, started: bool) {
+        add_magnitudes(&mut sums.signals, begun);
+        if started {
+            sums.add_noise(&product(&product(rows, &self.to), &self.starts()));
+        }
+    }
+
+    /// Whether every call has the same gain.
+    pub(super) fn is_constant(&self) -> bool {
+        self.cycle.len() == 1 && self.lead.iter().all(|gain| *gain == self.cycle[0])
     }
 
     /// The weights of the first sample in the state at the start, n x p.

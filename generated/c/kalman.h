@@ -18,7 +18,7 @@
  *
  *                                            theta     omega
  *   unit                                     rad       rad/s
- *   noise gain from theta, worst case        1.419     47.58
+ *   noise gain from theta, worst case        1.419     47.57
  *   noise gain from theta, white             0.2274    6.635
  *   gain from push, worst case               4.210e-4  0.03173
  *   error bound from noise and disturbances  4.997e-4  0.02579

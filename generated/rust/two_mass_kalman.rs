@@ -20,9 +20,9 @@
 //!
 //!                                            motor_angle  load_angle  motor_speed  load_speed
 //!   unit                                     rad          rad         rad/s        rad/s
-//!   noise gain from motor_angle, worst case  1.257        0.1501      1333         42.45
+//!   noise gain from motor_angle, worst case  1.257        0.1501      1333         42.44
 //!   noise gain from motor_angle, white       0.7284       0.05929     678          17.29
-//!   noise gain from load_angle, worst case   0.01541      1.354       43.46        374.2
+//!   noise gain from load_angle, worst case   0.0154       1.354       43.46        374.2
 //!   noise gain from load_angle, white        0.004736     0.4262      13.56        100.6
 //!   error bound from noise                   7.057e-5     6.843e-4    0.08838      0.1892
 //!
