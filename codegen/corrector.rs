@@ -157,6 +157,8 @@ pub struct Corrector {
     pub handover: Option<Grid>,
     /// The countdown.
     pub counting: Counting,
-    /// Good calls after the first until the estimate counts as converged, and after a missing sample until it does again.
+    /// Good calls after the first until the estimate counts as converged.
     pub valid: usize,
+    /// Good calls in a row after a missing sample until it does again; at least 1.
+    pub recovery: usize,
 }

@@ -49,6 +49,11 @@ pub(crate) fn frobenius(a: &Rows) -> f64 {
 pub(crate) fn orthonormalised(columns: &Rows) -> Rows {
     let mut basis: Vec<Vec<f64>> = Vec::new();
     for mut column in transposed(columns) {
+        // Squares of what is far below one would vanish.
+        let largest = column.iter().fold(0.0_f64, |largest, x| largest.max(x.abs()));
+        if largest > 0.0 {
+            column.iter_mut().for_each(|x| *x /= largest);
+        }
         for _ in 0..2 {
             for unit in &basis {
                 let share = dot(unit, &column);

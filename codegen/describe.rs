@@ -7,6 +7,7 @@ use crate::diagnostic::Source;
 use crate::emit::Header;
 use crate::output::Language;
 use crate::plant::Plant;
+use crate::program::Scalar;
 use crate::program::cost::cost;
 use crate::{Generated, VERSION};
 
@@ -38,6 +39,7 @@ pub fn header(generated: &Generated, source: &Source, language: Language) -> Hea
     lines.extend(equations(plant));
     lines.push(format!("Method     {}: {}", design.method, design.summary));
     lines.push(converged(generated));
+    lines.extend(coasting(generated));
     lines.extend(design.notes.iter().map(|note| format!("           {note}")));
     lines.push(String::new());
     lines.extend(certificate(generated));
@@ -172,11 +174,19 @@ fn converged(generated: &Generated) -> String {
             short(innovation)
         ),
         Convergence::Prescribed { left } => format!(
-            "Converged  from call {} ({time} s after the first), when {} of the initial error is left",
+            "Converged  from call {} ({time} s after the first), when {} of the initial error is left, by its effect on outputs",
             step + 1,
             remainder(left)
         ),
     }
+}
+
+/// How long a missing sample tells, where that is no window's length.
+fn coasting(generated: &Generated) -> Option<String> {
+    let Shape::Corrector(corrector) = &generated.design.shape else { return None };
+    let calls = corrector.recovery;
+    let calls = if calls == 1 { "1 good call".into() } else { format!("{calls} good calls in a row") };
+    Some(format!("Coasting   from a missing sample on, until {calls} have followed"))
 }
 
 /// A share of an error; below the digits that it was computed with, that.
@@ -237,6 +247,9 @@ fn certificate(generated: &Generated) -> Vec<String> {
         lines.push(
             "  at every call that says it has converged; no gains: the correction is no multiple of the noise".into(),
         );
+    }
+    if matches!(generated.design.shape, Shape::Corrector(_)) && plant.scalar == Scalar::F32 && bounded {
+        lines.push("  on top: rounding in f32, like noise of 1e-7 of the samples' size".into());
     }
     if let Some(between) = generated.design.between_samples(plant) {
         lines.push(format!("  on top: {between}"));

@@ -224,6 +224,9 @@ impl Design {
             Shape::Impulsive(design) if design.calls.every > 1 => {
                 "no error bound: between measurements, an error goes through the nonlinear terms again and again"
             }
+            Shape::Corrector(_) if self.certificate.noise_gain_l1.iter().flatten().any(|gain| gain.is_infinite()) => {
+                "no error bound: what is left of the past dies out too slowly, or over too many calls, to be summed up"
+            }
             _ => "no error bound: the slope of a nonlinear term is not bounded over the declared ranges",
         }
     }

@@ -1,6 +1,6 @@
 //! Claim: correctors of every method bridge missing samples: what is not finite or out of range corrects nothing, the
-//! status says so until as many good calls in a row have followed as convergence takes, and without noise nothing is
-//! left of it in the end. No bits and no number of missing samples make a state non-finite.
+//! status says so until as many good calls in a row have followed as the header says, and without noise no more is then
+//! left of whatever happened meanwhile than of an initial error, and nothing in the end. No bits and no number of missing samples make a state non-finite.
 
 #![allow(clippy::cast_possible_truncation, reason = "bits of a single stand in the lower half of a word")]
 
@@ -8,10 +8,10 @@
 mod plant;
 
 use deadbeat_codegen::Generated;
-use deadbeat_codegen::design::Convergence;
+use deadbeat_codegen::design::{Convergence, Shape};
 use deadbeat_codegen::program::interp::Interpreter;
 use deadbeat_codegen::program::{Scalar, Status};
-use plant::{Hold, Random, Run, Truth, designed_in};
+use plant::{Hold, Random, Run, Truth, designed_in, matrix};
 
 const H: f64 = 0.01;
 
@@ -79,9 +79,10 @@ fn without(run: &Run, missing: impl Fn(usize) -> bool) -> Run {
 }
 
 /// What the statuses must be from a call on: Converging until more than V good calls, then Coasting from a missing sample
-/// until more than V in a row.
+/// until as many in a row as the header prints.
 struct Counts {
     enough: usize,
+    recovery: usize,
     good: usize,
     clean: usize,
 }
@@ -90,7 +91,7 @@ impl Counts {
     fn call(&mut self, there: bool) -> Status {
         self.good += usize::from(there);
         self.clean = if there { self.clean + 1 } else { 0 };
-        match (self.good > self.enough, self.clean > self.enough) {
+        match (self.good > self.enough, self.clean >= self.recovery) {
             (false, _) => Status::Converging,
             (true, true) => Status::Converged,
             (true, false) => Status::Coasting,
@@ -121,13 +122,15 @@ fn the_status_says_how_long_a_missing_sample_is_felt() {
         for (number, missing) in patterns.iter().enumerate() {
             let missing = |call: usize| call >= from && missing(call);
             let answers = without(&whole, missing).through(generated);
-            let mut counts = Counts { enough: valid, good: 0, clean: 0 };
+            // What is missing before the first sample does not count.
+            let recovery = recovery(generated);
+            let mut counts = Counts { enough: valid, recovery, good: 0, clean: recovery };
             let mut began = false;
             for (call, status) in answers.statuses.iter().enumerate() {
                 if sensed && call < from {
                     // Until then it may converge when it likes.
                     assert!(call < from - 1 || *status == Status::Converged, "{what}: not after {call} calls");
-                    (counts.good, counts.clean) = (valid + 1, valid + 1);
+                    (counts.good, counts.clean) = (valid + 1, recovery);
                     continue;
                 }
                 // Nothing has begun before the first good sample.
@@ -137,6 +140,61 @@ fn the_status_says_how_long_a_missing_sample_is_felt() {
             }
         }
     });
+}
+
+/// Good calls in a row from a missing sample to `Converged`.
+fn recovery(generated: &Generated) -> usize {
+    match &generated.design.shape {
+        Shape::Corrector(corrector) => corrector.recovery,
+        _ => panic!("another shape"),
+    }
+}
+
+/// The size of an error: the root mean square of what it does to the output over the calls until convergence.
+fn size(generated: &Generated, error: [f64; 2]) -> f64 {
+    let (phi, calls) = (matrix(generated, "Phi"), generated.design.valid_from_step.max(2));
+    let (mut e, mut sum) = (error, 0.0);
+    for _ in 0..calls {
+        sum += e[0] * e[0];
+        e = [phi[0][0] * e[0] + phi[0][1] * e[1], phi[1][0] * e[0] + phi[1][1] * e[1]];
+    }
+    #[expect(clippy::cast_precision_loss, reason = "counts of calls are small")]
+    let calls = calls as f64;
+    (sum / calls).sqrt()
+}
+
+/// The plant is moved while its sensor is out, at any place of a countdown: when the status says `Converged` again, no more
+/// is left of that than the first convergence leaves of an initial error, or a millionth.
+#[test]
+fn converged_again_means_that_what_happened_is_gone() {
+    for (method, keys) in METHODS {
+        let generated = designed_in(&oscillator(method, keys), Scalar::F64);
+        let left = match generated.design.convergence {
+            Convergence::Prescribed { left } => left.max(1e-6),
+            Convergence::Geometric { .. } | Convergence::Finite => 1e-6,
+            Convergence::Sensed { .. } => continue,
+        };
+        let valid = generated.design.valid_from_step;
+        for place in 0..valid.min(40) {
+            let gap = 3 * valid + 20 + place;
+            let calls = gap + 3 * recovery(&generated) + 20;
+            let (before, after) = (truth().run(H, 1, calls, 17), truth().run(H, 1, calls, 18));
+            let mut run = after.clone();
+            for call in 0..gap {
+                run.measurements[call].clone_from(&before.measurements[call]);
+                run.inputs[call].clone_from(&before.inputs[call]);
+            }
+            run.measurements[gap - 1][0] = f64::NAN;
+            let answers = run.through(&generated);
+            let error = |call: usize, truth: &Run| [0, 1].map(|i| answers.estimates[call][i] - truth.states[call][i]);
+            let moved = size(&generated, error(gap - 1, &after));
+            let again = (gap..calls).find(|call| answers.statuses[*call] == Status::Converged).unwrap();
+            let rest = size(&generated, error(again, &after));
+            // One call of the plant more, and rounding.
+            let most = 1.1 * left * moved + 1e-12;
+            assert!(rest <= most, "{method} {keys:?}, {place}: {rest:e} above {most:e} at {}", again - gap);
+        }
+    }
 }
 
 /// Without noise, one sample in twenty lost and a burst: the error goes on dying out, to rounding.

@@ -96,7 +96,7 @@ fn what_is_printed_at_a_step_is_golden() {
             words.filter(|word| !word.is_empty()).map(str::to_owned).collect()
         };
         let (n, time, h, l) = (words("n"), words("T"), words("h"), words("L").join(", "));
-        let keys = format!("time = {}\nefimov-orlov = {{ L = [{l}] }}", time[0]);
+        let keys = format!("time = {}\nefimov-orlov = {{ L = [{l}] }}\nstop_before = 1", time[0]);
         let generator = Generator::new(&spec(n[0].parse().unwrap(), &keys, &h[0], "f64"), "test.toml");
         let number = |word: &str| word.parse::<f64>().unwrap();
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a number of steps")]
@@ -283,9 +283,9 @@ fn the_theorem_is_reported() {
     let notes = |keys: &str| designed(&spec(4, keys, "0.1", "f64")).design.notes.join("\n");
     let paper = notes(PAPER);
     assert!(paper.contains("29.92 is above 3") && paper.contains("gamma_1"), "{paper}");
-    let long = notes("time = 100");
+    let long = notes("time = 100\nstop_before = 10");
     assert!(long.contains("have no solution") && long.contains("T/2 = 50"), "{long}");
-    let other = notes("time = 2.5\nholloway-krstic = { m = 1 }");
+    let other = notes("time = 2.5\nholloway-krstic = { m = 1 }\nstop_before = 1");
     assert!(other.contains("(T-t)^(5-i)") && !other.contains("gamma_1"), "{other}");
 }
 

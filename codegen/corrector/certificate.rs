@@ -21,7 +21,7 @@ const SMALL: f64 = 1e-3;
 /// For what is left out by that, and for the rounding of sums of up to 1e6 terms.
 const SLACK: f64 = 1.0 + 1e-9;
 /// Multiplications spent on exact sums.
-const MOST_WORK: f64 = 6e8;
+const MOST_WORK: f64 = 2e8;
 
 impl Errors<'_> {
     /// The certificate from call `valid` on.
@@ -138,10 +138,19 @@ impl Errors<'_> {
 
     /// A bound on the sums at the end of any round from V on: a fixed point of one round's.
     fn round_end(&self, valid: usize, kernel: Option<&Kernel>) -> Option<Sums> {
+        [1, 2, 4, 8].into_iter().find_map(|rounds| self.rounds_end(valid, rounds, kernel))
+    }
+
+    /// The same from the sums of so many rounds together: a round that turns one state into another may only shrink
+    /// the error over several.
+    fn rounds_end(&self, valid: usize, rounds: usize, kernel: Option<&Kernel>) -> Option<Sums> {
         let length = self.cycle.len();
-        let (round, rows) = self.at(valid + 2 * length, length, kernel);
+        let (round, rows) = self.at(valid + (rounds + 1) * length, rounds * length, kernel);
         let around = product(&rows, &self.to);
         let mut end = self.at(valid, valid, kernel).0;
+        for k in 1..rounds {
+            end.raise(&self.at(valid + k * length, valid + k * length, kernel).0);
+        }
         for _ in 0..10_000 {
             let mut next = end.carried(&around);
             next.add(&round);

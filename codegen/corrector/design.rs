@@ -86,6 +86,7 @@ pub fn build(request: &Request) -> Result<Built, Vec<Diagnostic>> {
     let errors = Errors::new(plant, &request.signals, &exact, &schedule).ok_or_else(|| unobservable(plant))?;
     let remaining = errors.remaining(valid);
     let certificate = errors.certify(valid);
+    corrector.recovery = errors.recovery(valid, remaining.share);
     let convergence = match request.promise {
         Promise::At(_) => Convergence::Prescribed { left: remaining.share },
         Promise::Contracted => Convergence::Geometric { radius: errors.radius(), period: 1 },

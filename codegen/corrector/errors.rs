@@ -9,6 +9,7 @@
 use super::exact::Exact;
 use super::schedule::Schedule;
 use crate::dense::{Rows as Dense, add_magnitudes, dot, frobenius, identity, orthonormalised, product};
+use crate::design::CONTRACTED;
 use crate::plant::Plant;
 use crate::real::{Matrix, Precision, Real, inverse, orthonormal};
 use crate::window::Signal;
@@ -16,6 +17,11 @@ use crate::window::certificate::Kernel;
 
 /// Calls over which the size of an error is measured, at most; spread over all until V.
 const MOST_LOOKS: usize = 256;
+
+/// Multiplications spent on the calls of a recovery.
+const MOST_RECOVERY: usize = 20_000_000;
+/// Places of a countdown from which a recovery is followed.
+const MOST_PLACES: usize = 64;
 
 /// How the errors move.
 pub struct Errors<'a> {
@@ -39,7 +45,7 @@ pub struct Errors<'a> {
 /// What is left of an initial error at a call.
 #[derive(Clone, Debug)]
 pub struct Remaining {
-    /// Of the worst initial error of the states that the first sample does not show, in size.
+    /// Of the worst initial error of the states that the first sample does not show, in size; at that call or later.
     pub share: f64,
     /// Per state, per initial error of a state.
     pub by_state: Dense,
@@ -108,7 +114,20 @@ impl<'a> Errors<'a> {
         for k in 1..=call {
             transition = product(&self.transition(k), &transition);
         }
-        self.left(&transition)
+        let mut remaining = self.left(&transition);
+        // A slower gain afterwards may let it rise again before it falls.
+        let most = MOST_RECOVERY / self.order().pow(3);
+        let mut fallen = 0;
+        for k in call + 1..=call + most {
+            transition = product(&self.transition(k), &transition);
+            let share = self.left(&transition).share;
+            remaining.share = remaining.share.max(share);
+            fallen = if share <= 0.5 * remaining.share { fallen + 1 } else { 0 };
+            if fallen > self.cycle.len() {
+                break;
+            }
+        }
+        remaining
     }
 
     /// The first call at which at most this share is left; `None` when there is none among so many.
@@ -123,6 +142,29 @@ impl<'a> Errors<'a> {
             }
         }
         None
+    }
+
+    /// Calls that leave no more of any error than the first convergence did, where the last gains go on; a millionth is
+    /// enough.
+    pub fn recovery(&self, valid: usize, share: f64) -> usize {
+        // A countdown that goes round is met anywhere.
+        let stride = self.cycle.len().div_ceil(MOST_PLACES);
+        let places = (0..self.cycle.len()).step_by(stride);
+        let slowest = places.map(|place| self.recovered(valid + place, share.max(CONTRACTED))).max();
+        slowest.unwrap_or(1) + stride - 1
+    }
+
+    /// Calls after one that leave no more than a share of any error.
+    fn recovered(&self, from: usize, share: f64) -> usize {
+        let most = MOST_RECOVERY / self.order().pow(3) / self.cycle.len().min(MOST_PLACES);
+        let mut transition = identity(self.order());
+        for call in 1..=most {
+            transition = product(&self.transition(from + call), &transition);
+            if frobenius(&product(&product(&self.far, &transition), &self.far_to)) <= share {
+                return call;
+            }
+        }
+        most.max(1)
     }
 
     fn left(&self, transition: &Dense) -> Remaining {

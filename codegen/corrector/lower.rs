@@ -7,8 +7,9 @@
 //! for the rest. The k-th good call after it has r = N - k steps left.
 //!
 //! **Missing samples.** Without a good sample nothing is corrected, and the countdown waits: the deadline moves by the
-//! calls without one. The estimate is `Coasting` until as many good calls in a row as the first convergence took. A
-//! state beyond the floats' guard starts the observer again. Under the sliding law an innovation that is not explained
+//! calls without one. The estimate is `Coasting` until so many good calls in a row that what is left of any error is
+//! what the first convergence left. A prediction outside the output's range starts the observer again, and so does a
+//! state beyond the floats' guard. Under the sliding law an innovation that is not explained
 //! makes both counts begin again, and one wider than the output's range starts the observer again.
 
 mod gain;
@@ -80,8 +81,8 @@ impl Cells {
         let state = state.collect();
         let lead = calls(design.counting.lead());
         let left = b.index_cell("left", "calls of the countdown that are left", lead);
-        let good = b.index_cell("good", "good calls, until there are enough", 0);
-        let clean = b.index_cell("clean", "good calls in a row, until there are enough", 0);
+        let good = b.index_cell("good", &format!("good calls, at most {}", design.valid + 1), 0);
+        let clean = b.index_cell("clean", &format!("good calls in a row, at most {}", design.recovery), 0);
         let outputs = plant.outputs.iter().enumerate().map(|(o, output)| {
             let name = &output.label.name;
             let initial = injections::initial_output(plant, o, plant.scalar);
@@ -140,12 +141,12 @@ impl Lowering<'_> {
     fn step(&mut self) {
         let predicted = self.predict();
         self.builder.section("correction by the innovation");
-        let innovation = self.innovation(&predicted);
+        let (innovation, lost) = self.innovation(&predicted);
         let (corrections, left) = self.correct(&innovation, predicted.measured);
         let corrected: Vec<Value> =
             predicted.state.iter().zip(corrections).map(|(x, more)| self.builder.add(*x, more)).collect();
         self.builder.section("the first sample starts the observer; so does a state beyond all bounds");
-        let again = self.starts_again(&innovation, &corrected);
+        let again = self.starts_again(&innovation, &corrected, lost);
         let state = self.store(&predicted, &corrected, (again, left));
         let calm = self.calm(&innovation);
         let counts = self.count(&predicted, again, calm);
@@ -176,27 +177,43 @@ impl Lowering<'_> {
         rows.collect()
     }
 
-    /// y - C z-, and 0 where there is no sample; per output.
-    fn innovation(&mut self, predicted: &Predicted) -> Vec<Value> {
+    /// y - C z-, and 0 where there is no sample; per output. And whether a missing one is not to be predicted.
+    fn innovation(&mut self, predicted: &Predicted) -> (Vec<Value>, Value) {
         let design = self.design;
         let shown = match design.frame {
             Frame::Plant { .. } => self.products(&design.output, &predicted.state),
             Frame::Chain { .. } => vec![predicted.state[0]],
         };
+        let lost = self.lost(predicted, &shown);
         let none = self.builder.float(0.0);
         let each = shown.iter().enumerate().map(|(o, shown)| {
             let difference = self.builder.sub(predicted.outputs[o], *shown);
             self.builder.select(predicted.good[o], difference, none)
         });
-        each.collect()
+        (each.collect(), lost)
+    }
+
+    /// Whether a sample is missing whose prediction no sample could be.
+    fn lost(&mut self, predicted: &Predicted, shown: &[Value]) -> Value {
+        let mut lost = self.builder.boolean(false);
+        let ranges = self.plant.outputs.iter().map(|output| output.range.is_some()).collect::<Vec<_>>();
+        for o in (0..ranges.len()).filter(|o| ranges[*o]) {
+            let (low, high) = self.guard.outputs[o];
+            let sane = self.builder.in_range(shown[o], low, high);
+            let covered = self.builder.or(predicted.good[o], sane);
+            let astray = self.builder.not(covered);
+            lost = self.builder.or(lost, astray);
+        }
+        lost
     }
 
     /// Whether the observer has no state yet, or one that nothing reasonable leads to.
-    fn starts_again(&mut self, innovation: &[Value], corrected: &[Value]) -> Value {
+    fn starts_again(&mut self, innovation: &[Value], corrected: &[Value], lost: Value) -> Value {
         let bound = self.guard.bound;
         let none = self.builder.index(0);
         let good = self.builder.read(self.cells.good);
-        let mut again = self.builder.index_equal(good, none);
+        let waiting = self.builder.index_equal(good, none);
+        let mut again = self.builder.or(waiting, lost);
         if let Some(width) = self.farthest() {
             let near = self.builder.in_range(innovation[0], -width, width);
             let far = self.builder.not(near);
@@ -259,11 +276,14 @@ impl Lowering<'_> {
         let good = self.builder.select(predicted.measured, more, good);
         let good = self.builder.select(again, first, good);
         self.builder.set(self.cells.good, good);
+        // Since the start nothing has been missing: the first convergence alone counts.
+        let recovered = calls(self.design.recovery);
         let clean = self.builder.read(self.cells.clean);
-        let more = self.builder.count_up(clean, most);
+        let more = self.builder.count_up(clean, recovered);
         let more = self.builder.select(calm, more, one);
         let clean = self.builder.select(predicted.fine, more, none);
-        let clean = self.builder.select(again, first, clean);
+        let all = self.builder.index(recovered);
+        let clean = self.builder.select(again, all, clean);
         self.builder.set(self.cells.clean, clean);
         let calls = self.builder.read(self.cells.calls);
         let calls = self.builder.count_up(calls, u32::MAX);
@@ -304,8 +324,8 @@ impl Lowering<'_> {
         }
         let [converged, coasting, converging] =
             [Status::Converged, Status::Coasting, Status::Converging].map(|status| self.builder.status(status));
-        let enough = self.builder.index(calls(design.valid));
-        let (known, undisturbed) = (self.builder.index_less(enough, good), self.builder.index_less(enough, clean));
+        let [enough, recovered] = [design.valid, design.recovery - 1].map(|count| self.builder.index(calls(count)));
+        let (known, undisturbed) = (self.builder.index_less(enough, good), self.builder.index_less(recovered, clean));
         let working = self.builder.select(undisturbed, converged, coasting);
         let status = self.builder.select(known, working, converging);
         self.builder.report(status);

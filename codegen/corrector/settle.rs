@@ -42,7 +42,7 @@ fn corrector(pass: &mut Pass, both: Both, signals: &[Signal], counting: Counting
         _ => None,
     };
     let signals = signals.to_vec();
-    Corrector { frame, signals, at_begin, at_end, constant, output, gain, handover, counting, valid: 0 }
+    Corrector { frame, signals, at_begin, at_end, constant, output, gain, handover, counting, valid: 0, recovery: 0 }
 }
 
 fn frame(pass: &mut Pass, [coarse, fine]: Both) -> Frame {

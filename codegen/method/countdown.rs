@@ -28,8 +28,11 @@ pub const HOLLOWAY_KRSTIC: (&str, &str, &str) = (
     "004 (22), (23): m >= 1, l the coefficients of a stable polynomial, l_i in 1/s^i; all 0 by default",
 );
 /// One number.
-pub const POLES: (&str, &str, &str) =
-    ("poles", "{ p }", "all poles of A - L C at -p/T: L_i = C(n,i) (p/T)^i; the default, with p = 10");
+pub const POLES: (&str, &str, &str) = (
+    "poles",
+    "{ p }",
+    "all poles of A - L C at -p/T: L_i = C(n,i) (p/T)^i; the default, with p = 10, or 4n - 8 above 4 states",
+);
 /// What follows the countdown.
 pub const AFTER: (&str, &str, &str) = (
     "after",
@@ -74,6 +77,9 @@ pub fn start(plant: &mut Plant, initial: Option<&(Vec<Quantity>, Range<usize>)>)
     states.zip(values.into_iter().flatten()).for_each(|(state, value)| state.initial = value);
     Ok(())
 }
+
+/// The most states of a countdown: the gains' powers and their exact exponents grow with them.
+const MOST_STATES: usize = 12;
 
 /// A gain law as written.
 #[derive(Clone, Debug)]
@@ -204,6 +210,14 @@ impl Countdown {
     pub fn new(plant: &Plant, keys: &Keys, found: &mut Vec<Diagnostic>) -> Option<Self> {
         let order = plant.states.len();
         let numbers = numbers(plant, keys, order, found);
+        if order > MOST_STATES {
+            let message = format!("{order} states are too many for gains by a countdown");
+            let error = Diagnostic::error(codes::TOO_LARGE, plant.span.clone(), message).measured(count(order));
+            found.push(
+                error.label(format!("at most {MOST_STATES}")).help("use the law `kalman`, or the method `window`"),
+            );
+            return None;
+        }
         let (time, steps) = duration(plant, keys, found)?;
         let numbers = numbers?;
         let mut countdown = Self { counting: Counting { steps, stop: 0, after: keys.after.0 }, time, numbers, order };
@@ -406,7 +420,8 @@ fn power(x: f64, n: usize) -> f64 {
 
 fn numbers(plant: &Plant, keys: &Keys, order: usize, found: &mut Vec<Diagnostic>) -> Option<Numbers> {
     match &keys.law {
-        None => Some(Numbers::Poles(Constant::from(Rational::from(10)))),
+        // So that a ten-thousandth of the worst initial error is left with N/10 steps left, at any order.
+        None => Some(Numbers::Poles(Constant::from(Rational::from(10.max((4 * order).saturating_sub(8)))))),
         Some(LawKeys::Poles(p)) => {
             let value = plant.constant(p, found)?;
             positive(&value, "p", &p.span(), found).then_some(Numbers::Poles(value))
@@ -438,9 +453,35 @@ fn numbers(plant: &Plant, keys: &Keys, order: usize, found: &mut Vec<Diagnostic>
                 );
                 return None;
             }
+            if let Some(root) = unstable(&values) {
+                let message = "the polynomial s^n + l_1 s^(n-1) + … + l_n is not stable";
+                let error = Diagnostic::error(codes::BAD_NUMBER, span.clone(), message).measured(root);
+                let label = format!("a root has the real part {}", crate::describe::short(root));
+                found.push(
+                    error.label(label).help("leave `l` out, or take one with all roots to the left, such as [2, 1]"),
+                );
+                return None;
+            }
             Some(Numbers::HollowayKrstic(*m, values))
         }
     }
+}
+
+/// The real part of the rightmost root of `s^n + l_1 s^(n-1) + … + l_n`, where it is not to the left; all l = 0 are 003's
+/// form.
+fn unstable(l: &[Constant]) -> Option<f64> {
+    let l: Vec<f64> = l.iter().map(|x| x.to_f64().unwrap_or(f64::NAN)).collect();
+    if l.iter().all(|x| *x == 0.0) {
+        return None;
+    }
+    let n = l.len();
+    let companion = |i: usize, j: usize| f64::from(u8::from(j == i + 1)) - if j == 0 { l[i] } else { 0.0 };
+    let roots = nalgebra::DMatrix::from_fn(n, n, companion).complex_eigenvalues();
+    let (right, size) = roots
+        .iter()
+        .fold((f64::NEG_INFINITY, 0.0_f64), |(right, size), z| (z.re.max(right), size.max(z.re.hypot(z.im))));
+    // A root on the axis is found off it by the n-th root of the rounding at most.
+    (right >= -1e-9 * size).then_some(right)
 }
 
 fn positive(value: &Constant, name: &str, span: &Range<usize>, found: &mut Vec<Diagnostic>) -> bool {

@@ -165,7 +165,7 @@ impl Keyed for Keys {
             let last = schedule.lead.last().into_iter().flatten().flatten().fold(0.0, |a: f64, x| a.max(x.abs()));
             warnings.extend(countdown.warnings(plant, &self.countdown, last));
         }
-        warnings.extend(weak(plant, &self.countdown, remaining.share));
+        warnings.extend(weak(plant, &self.countdown, remaining.share)?);
         warnings.extend(time_warning(plant));
         warnings.extend(resolution_warnings(plant));
         let mut all = constants(&exact.model);
@@ -279,20 +279,24 @@ pub fn notes(plant: &Plant, countdown: &Countdown) -> Vec<String> {
     notes
 }
 
-/// Says that much of the initial error is still there when the countdown ends.
-pub fn weak(plant: &Plant, keys: &countdown::Keys, left: f64) -> Option<Diagnostic> {
+/// Says that much of the initial error is still there when the countdown ends, or refuses where all of it is.
+///
+/// # Errors
+/// Gains with which the error has grown.
+pub fn weak(plant: &Plant, keys: &countdown::Keys, left: f64) -> Result<Option<Diagnostic>, Vec<Diagnostic>> {
     if left <= 1e-2 {
-        return None;
+        return Ok(None);
     }
     let span = keys.stop_before.as_ref().map_or_else(|| plant.span.clone(), |(_, span)| span.clone());
-    let warning = Diagnostic::warning(codes::WEAK, span, "much of the initial error is left when the countdown ends");
-    let label = format!("{} of it", short(left));
-    Some(
-        warning
-            .label(label)
-            .measured(left)
-            .help("a smaller `stop_before`, or larger gains such as `poles = { p = 12 }`"),
-    )
+    let help = "a smaller `stop_before`, a longer `time`, or larger gains: a larger p, m or L";
+    let said = |diagnostic: Diagnostic| {
+        diagnostic.label(format!("{} of the worst one", short(left))).measured(left).help(help)
+    };
+    if left < 1.0 {
+        let message = "much of the initial error is left when the countdown ends";
+        return Ok(Some(said(Diagnostic::warning(codes::WEAK, span, message))));
+    }
+    Err(vec![said(Diagnostic::error(codes::WEAK, span, "more than the initial error is left when the countdown ends"))])
 }
 
 /// In doubles; what half of the digits do not show is an exact zero that was rounded.

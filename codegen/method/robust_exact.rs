@@ -222,6 +222,7 @@ fn sense(plant: &Plant, built: &mut Built) -> Result<Calm, Vec<Diagnostic>> {
     let Gain::Sliding { law, calm } = &mut built.corrector.gain else { unreachable!("the gain of this law") };
     let bound = plant.scalar_value(law.reach.double.max(disturbance) + backward.noise * noise);
     *calm = bound;
+    built.corrector.recovery = built.corrector.valid + 1;
     let short = backward.error(&law.shortfall(bound));
     let whole = built.certificate.error_bound.iter().zip(short).map(|(linear, short)| linear.map(|it| it + short));
     // The gains are those of backward differences, not of this law: what holds of it is the bound.

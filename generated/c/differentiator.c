@@ -29,11 +29,11 @@ typedef struct {
     double t64;
     double t65;
     uint32_t t71;
-    uint32_t t75;
-    double t83;
-    double t87;
-    double t89;
-    differentiator_status t96;
+    uint32_t t76;
+    double t84;
+    double t88;
+    double t90;
+    differentiator_status t98;
 } differentiator_work;
 
 /* Part 1 of a step. */
@@ -116,29 +116,29 @@ static void differentiator_part_1(differentiator_state *state, const differentia
     work->t71 = t60 ? t68 : t70;
     state->good = work->t71;
     const uint32_t t72 = state->clean;
-    const uint32_t t73 = (t72 < 250U) ? (t72 + 1U) : 250U;
+    const uint32_t t73 = (t72 < 191U) ? (t72 + 1U) : 191U;
     const uint32_t t74 = t1 ? t73 : 0U;
-    work->t75 = t60 ? t68 : t74;
-    state->clean = work->t75;
+    work->t76 = t60 ? 191U : t74;
+    state->clean = work->t76;
 }
 
 /* Part 2 of a step. */
 static void differentiator_part_2(differentiator_work *work)
 {
     /* the estimate */
-    const double t77 = 100.0 * work->t63;
-    const double t79 = 50.0 * work->t64;
-    const double t81 = 33.333333333333336 * work->t65;
-    const double t82 = t77 + t79;
-    work->t83 = t82 + t81;
-    const double t85 = 10000.0 * work->t64;
-    const double t86 = 10000.0 * work->t65;
-    work->t87 = t85 + t86;
-    work->t89 = 1000000.0 * work->t65;
-    const int t93 = 249U < work->t71;
-    const int t94 = 249U < work->t75;
-    const differentiator_status t95 = t94 ? DIFFERENTIATOR_CONVERGED : DIFFERENTIATOR_COASTING;
-    work->t96 = t93 ? t95 : DIFFERENTIATOR_CONVERGING;
+    const double t78 = 100.0 * work->t63;
+    const double t80 = 50.0 * work->t64;
+    const double t82 = 33.333333333333336 * work->t65;
+    const double t83 = t78 + t80;
+    work->t84 = t83 + t82;
+    const double t86 = 10000.0 * work->t64;
+    const double t87 = 10000.0 * work->t65;
+    work->t88 = t86 + t87;
+    work->t90 = 1000000.0 * work->t65;
+    const int t95 = 249U < work->t71;
+    const int t96 = 190U < work->t76;
+    const differentiator_status t97 = t96 ? DIFFERENTIATOR_CONVERGED : DIFFERENTIATOR_COASTING;
+    work->t98 = t95 ? t97 : DIFFERENTIATOR_CONVERGING;
 }
 
 void differentiator_init(differentiator_state *state)
@@ -160,8 +160,8 @@ void differentiator_step(differentiator_state *state, const differentiator_measu
     differentiator_part_2(&work);
 
     estimate->y = work.t62;
-    estimate->dy = work.t83;
-    estimate->d2y = work.t87;
-    estimate->d3y = work.t89;
-    estimate->status = work.t96;
+    estimate->dy = work.t84;
+    estimate->d2y = work.t88;
+    estimate->d3y = work.t90;
+    estimate->status = work.t98;
 }

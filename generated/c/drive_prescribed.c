@@ -38,7 +38,7 @@ typedef struct {
     double t179;
     double t180;
     double t181;
-    drive_prescribed_status t198;
+    drive_prescribed_status t200;
     int flags[2]; /* t1, t79 */
 } drive_prescribed_work;
 
@@ -207,16 +207,16 @@ static void drive_prescribed_part_3(drive_prescribed_state *state, drive_prescri
     const uint32_t t187 = t176 ? t184 : t186;
     state->good = t187;
     const uint32_t t188 = state->clean;
-    const uint32_t t189 = (t188 < 161U) ? (t188 + 1U) : 161U;
+    const uint32_t t189 = (t188 < 238U) ? (t188 + 1U) : 238U;
     const uint32_t t190 = work->flags[1] ? t189 : 0U;
-    const uint32_t t191 = t176 ? t184 : t190;
-    state->clean = t191;
+    const uint32_t t192 = t176 ? 238U : t190;
+    state->clean = t192;
 
     /* the estimate */
-    const int t195 = 160U < t187;
-    const int t196 = 160U < t191;
-    const drive_prescribed_status t197 = t196 ? DRIVE_PRESCRIBED_CONVERGED : DRIVE_PRESCRIBED_COASTING;
-    work->t198 = t195 ? t197 : DRIVE_PRESCRIBED_CONVERGING;
+    const int t197 = 160U < t187;
+    const int t198 = 237U < t192;
+    const drive_prescribed_status t199 = t198 ? DRIVE_PRESCRIBED_CONVERGED : DRIVE_PRESCRIBED_COASTING;
+    work->t200 = t197 ? t199 : DRIVE_PRESCRIBED_CONVERGING;
 }
 
 void drive_prescribed_init(drive_prescribed_state *state)
@@ -244,5 +244,5 @@ void drive_prescribed_step(drive_prescribed_state *state, const drive_prescribed
     estimate->load_angle = work.t179;
     estimate->motor_speed = work.t180;
     estimate->load_speed = work.t181;
-    estimate->status = work.t198;
+    estimate->status = work.t200;
 }

@@ -398,45 +398,49 @@ void high_gain_step(high_gain_state *state, const high_gain_measurements *measur
     const int t39 = t3 && t1;
 
     /* correction by the innovation */
-    const float t41 = t33 - t36;
-    const float t42 = t1 ? t41 : 0.0f;
-    const float t44 = 0.038735095f * t42;
-    const float t46 = 0.19030662f * t42;
-    const float t47 = t36 + t44;
-    const float t48 = t38 + t46;
+    const int t40 = (-1.0f <= t36) && (t36 <= 1.0f);
+    const int t41 = t1 || t40;
+    const int t42 = !t41;
+    const float t44 = t33 - t36;
+    const float t45 = t1 ? t44 : 0.0f;
+    const float t47 = 0.038735095f * t45;
+    const float t49 = 0.19030662f * t45;
+    const float t50 = t36 + t47;
+    const float t51 = t38 + t49;
 
     /* the first sample starts the observer; so does a state beyond all bounds */
-    const uint32_t t50 = state->good;
-    const int t51 = t50 == 0U;
-    const int t52 = (-1e37f <= t47) && (t47 <= 1e37f);
-    const int t53 = !t52;
-    const int t54 = t51 || t53;
-    const int t55 = (-1e37f <= t48) && (t48 <= 1e37f);
-    const int t56 = !t55;
-    const int t57 = t54 || t56;
-    const float t58 = t1 ? t33 : 0.0f;
-    const float t59 = t57 ? t58 : t47;
-    state->sway = t59;
-    const float t60 = t57 ? 0.0f : t48;
-    state->rate = t60;
-    const uint32_t t62 = t1 ? 1U : 0U;
-    const uint32_t t63 = (t50 < 848U) ? (t50 + 1U) : 848U;
-    const uint32_t t64 = t1 ? t63 : t50;
-    const uint32_t t65 = t57 ? t62 : t64;
-    state->good = t65;
-    const uint32_t t66 = state->clean;
-    const uint32_t t67 = (t66 < 848U) ? (t66 + 1U) : 848U;
-    const uint32_t t68 = t39 ? t67 : 0U;
-    const uint32_t t69 = t57 ? t62 : t68;
-    state->clean = t69;
+    const uint32_t t53 = state->good;
+    const int t54 = t53 == 0U;
+    const int t55 = t54 || t42;
+    const int t56 = (-1e37f <= t50) && (t50 <= 1e37f);
+    const int t57 = !t56;
+    const int t58 = t55 || t57;
+    const int t59 = (-1e37f <= t51) && (t51 <= 1e37f);
+    const int t60 = !t59;
+    const int t61 = t58 || t60;
+    const float t62 = t1 ? t33 : 0.0f;
+    const float t63 = t61 ? t62 : t50;
+    state->sway = t63;
+    const float t64 = t61 ? 0.0f : t51;
+    state->rate = t64;
+    const uint32_t t66 = t1 ? 1U : 0U;
+    const uint32_t t67 = (t53 < 848U) ? (t53 + 1U) : 848U;
+    const uint32_t t68 = t1 ? t67 : t53;
+    const uint32_t t69 = t61 ? t66 : t68;
+    state->good = t69;
+    const uint32_t t70 = state->clean;
+    const uint32_t t71 = (t70 < 1006U) ? (t70 + 1U) : 1006U;
+    const uint32_t t72 = t39 ? t71 : 0U;
+    const uint32_t t74 = t61 ? 1006U : t72;
+    state->clean = t74;
 
     /* the estimate */
-    const int t74 = 847U < t65;
-    const int t75 = 847U < t69;
-    const high_gain_status t76 = t75 ? HIGH_GAIN_CONVERGED : HIGH_GAIN_COASTING;
-    const high_gain_status t77 = t74 ? t76 : HIGH_GAIN_CONVERGING;
+    const int t80 = 847U < t69;
+    const int t81 = 1005U < t74;
+    const high_gain_status t82 = t81 ? HIGH_GAIN_CONVERGED : HIGH_GAIN_COASTING;
+    const high_gain_status t83 = t80 ? t82 : HIGH_GAIN_CONVERGING;
 
-    estimate->sway = t59;
-    estimate->rate = t60;
-    estimate->status = t77;
+    estimate->sway = t63;
+    estimate->rate = t64;
+    estimate->status = t83;
 }

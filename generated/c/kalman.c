@@ -409,23 +409,23 @@ void kalman_step(kalman_state *state, const kalman_measurements *measurements,
     const float t49 = t46 ? 0.0f : t37;
     state->omega = t49;
     const uint32_t t51 = t1 ? 1U : 0U;
-    const uint32_t t52 = (t39 < 334U) ? (t39 + 1U) : 334U;
+    const uint32_t t52 = (t39 < 398U) ? (t39 + 1U) : 398U;
     const uint32_t t53 = t1 ? t52 : t39;
     const uint32_t t54 = t46 ? t51 : t53;
     state->good = t54;
     const uint32_t t55 = state->clean;
-    const uint32_t t56 = (t55 < 334U) ? (t55 + 1U) : 334U;
+    const uint32_t t56 = (t55 < 440U) ? (t55 + 1U) : 440U;
     const uint32_t t57 = t1 ? t56 : 0U;
-    const uint32_t t58 = t46 ? t51 : t57;
-    state->clean = t58;
+    const uint32_t t59 = t46 ? 440U : t57;
+    state->clean = t59;
 
     /* the estimate */
-    const int t63 = 333U < t54;
-    const int t64 = 333U < t58;
-    const kalman_status t65 = t64 ? KALMAN_CONVERGED : KALMAN_COASTING;
-    const kalman_status t66 = t63 ? t65 : KALMAN_CONVERGING;
+    const int t65 = 397U < t54;
+    const int t66 = 439U < t59;
+    const kalman_status t67 = t66 ? KALMAN_CONVERGED : KALMAN_COASTING;
+    const kalman_status t68 = t65 ? t67 : KALMAN_CONVERGING;
 
     estimate->theta = t48;
     estimate->omega = t49;
-    estimate->status = t66;
+    estimate->status = t68;
 }

@@ -353,7 +353,7 @@ typedef struct {
     float t86;
     float t87;
     float t88;
-    luenberger_status t105;
+    luenberger_status t107;
     int flags[2]; /* t1, t60 */
 } luenberger_work;
 
@@ -452,16 +452,16 @@ static void luenberger_part_2(luenberger_state *state, luenberger_work *work)
     const uint32_t t93 = t84 ? t90 : t92;
     state->good = t93;
     const uint32_t t94 = state->clean;
-    const uint32_t t95 = (t94 < 416U) ? (t94 + 1U) : 416U;
+    const uint32_t t95 = (t94 < 426U) ? (t94 + 1U) : 426U;
     const uint32_t t96 = work->flags[1] ? t95 : 0U;
-    const uint32_t t97 = t84 ? t90 : t96;
-    state->clean = t97;
+    const uint32_t t98 = t84 ? 426U : t96;
+    state->clean = t98;
 
     /* the estimate */
-    const int t102 = 415U < t93;
-    const int t103 = 415U < t97;
-    const luenberger_status t104 = t103 ? LUENBERGER_CONVERGED : LUENBERGER_COASTING;
-    work->t105 = t102 ? t104 : LUENBERGER_CONVERGING;
+    const int t104 = 415U < t93;
+    const int t105 = 425U < t98;
+    const luenberger_status t106 = t105 ? LUENBERGER_CONVERGED : LUENBERGER_COASTING;
+    work->t107 = t104 ? t106 : LUENBERGER_CONVERGING;
 }
 
 void luenberger_init(luenberger_state *state)
@@ -486,5 +486,5 @@ void luenberger_step(luenberger_state *state, const luenberger_measurements *mea
     estimate->q = work.t86;
     estimate->dq = work.t87;
     estimate->i = work.t88;
-    estimate->status = work.t105;
+    estimate->status = work.t107;
 }

@@ -26,7 +26,7 @@
 typedef struct {
     float t77;
     float t78;
-    oscillator_status t96;
+    oscillator_status t98;
 } oscillator_work;
 
 /* Part 1 of a step. */
@@ -111,16 +111,16 @@ static void oscillator_part_1(oscillator_state *state, const oscillator_measurem
     const uint32_t t85 = t75 ? t82 : t84;
     state->good = t85;
     const uint32_t t86 = state->clean;
-    const uint32_t t87 = (t86 < 91U) ? (t86 + 1U) : 91U;
+    const uint32_t t87 = (t86 < 40U) ? (t86 + 1U) : 40U;
     const uint32_t t88 = t23 ? t87 : 0U;
-    const uint32_t t89 = t75 ? t82 : t88;
-    state->clean = t89;
+    const uint32_t t90 = t75 ? 40U : t88;
+    state->clean = t90;
 
     /* the estimate */
-    const int t93 = 90U < t85;
-    const int t94 = 90U < t89;
-    const oscillator_status t95 = t94 ? OSCILLATOR_CONVERGED : OSCILLATOR_COASTING;
-    work->t96 = t93 ? t95 : OSCILLATOR_CONVERGING;
+    const int t95 = 90U < t85;
+    const int t96 = 39U < t90;
+    const oscillator_status t97 = t96 ? OSCILLATOR_CONVERGED : OSCILLATOR_COASTING;
+    work->t98 = t95 ? t97 : OSCILLATOR_CONVERGING;
 }
 
 void oscillator_init(oscillator_state *state)
@@ -141,5 +141,5 @@ void oscillator_step(oscillator_state *state, const oscillator_measurements *mea
 
     estimate->position = work.t77;
     estimate->speed = work.t78;
-    estimate->status = work.t96;
+    estimate->status = work.t98;
 }

@@ -27,8 +27,8 @@ typedef struct {
     float t84;
     float t85;
     uint32_t t92;
-    uint32_t t96;
-    oscillator_handover_status t103;
+    uint32_t t97;
+    oscillator_handover_status t105;
 } oscillator_handover_work;
 
 /* Part 1 of a step. */
@@ -118,20 +118,20 @@ static void oscillator_handover_part_1(oscillator_handover_state *state, const o
     work->t92 = t82 ? t89 : t91;
     state->good = work->t92;
     const uint32_t t93 = state->clean;
-    const uint32_t t94 = (t93 < 91U) ? (t93 + 1U) : 91U;
+    const uint32_t t94 = (t93 < 231U) ? (t93 + 1U) : 231U;
     const uint32_t t95 = t23 ? t94 : 0U;
-    work->t96 = t82 ? t89 : t95;
-    state->clean = work->t96;
+    work->t97 = t82 ? 231U : t95;
+    state->clean = work->t97;
 }
 
 /* Part 2 of a step. */
 static void oscillator_handover_part_2(oscillator_handover_work *work)
 {
     /* the estimate */
-    const int t100 = 90U < work->t92;
-    const int t101 = 90U < work->t96;
-    const oscillator_handover_status t102 = t101 ? OSCILLATOR_HANDOVER_CONVERGED : OSCILLATOR_HANDOVER_COASTING;
-    work->t103 = t100 ? t102 : OSCILLATOR_HANDOVER_CONVERGING;
+    const int t102 = 90U < work->t92;
+    const int t103 = 230U < work->t97;
+    const oscillator_handover_status t104 = t103 ? OSCILLATOR_HANDOVER_CONVERGED : OSCILLATOR_HANDOVER_COASTING;
+    work->t105 = t102 ? t104 : OSCILLATOR_HANDOVER_CONVERGING;
 }
 
 void oscillator_handover_init(oscillator_handover_state *state)
@@ -153,5 +153,5 @@ void oscillator_handover_step(oscillator_handover_state *state, const oscillator
 
     estimate->position = work.t84;
     estimate->speed = work.t85;
-    estimate->status = work.t103;
+    estimate->status = work.t105;
 }

@@ -208,18 +208,18 @@ void oscillator_kalman_step(oscillator_kalman_state *state, const oscillator_kal
     const uint32_t t63 = t53 ? t60 : t62;
     state->good = t63;
     const uint32_t t64 = state->clean;
-    const uint32_t t65 = (t64 < 101U) ? (t64 + 1U) : 101U;
+    const uint32_t t65 = (t64 < 231U) ? (t64 + 1U) : 231U;
     const uint32_t t66 = t23 ? t65 : 0U;
-    const uint32_t t67 = t53 ? t60 : t66;
-    state->clean = t67;
+    const uint32_t t68 = t53 ? 231U : t66;
+    state->clean = t68;
 
     /* the estimate */
-    const int t71 = 100U < t63;
-    const int t72 = 100U < t67;
-    const oscillator_kalman_status t73 = t72 ? OSCILLATOR_KALMAN_CONVERGED : OSCILLATOR_KALMAN_COASTING;
-    const oscillator_kalman_status t74 = t71 ? t73 : OSCILLATOR_KALMAN_CONVERGING;
+    const int t73 = 100U < t63;
+    const int t74 = 230U < t68;
+    const oscillator_kalman_status t75 = t74 ? OSCILLATOR_KALMAN_CONVERGED : OSCILLATOR_KALMAN_COASTING;
+    const oscillator_kalman_status t76 = t73 ? t75 : OSCILLATOR_KALMAN_CONVERGING;
 
     estimate->position = t55;
     estimate->speed = t56;
-    estimate->status = t74;
+    estimate->status = t76;
 }

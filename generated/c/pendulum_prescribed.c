@@ -348,7 +348,7 @@ static float pendulum_prescribed_sin_f32(float x)
 typedef struct {
     float t75;
     float t76;
-    pendulum_prescribed_status t94;
+    pendulum_prescribed_status t96;
 } pendulum_prescribed_work;
 
 /* Part 1 of a step. */
@@ -433,16 +433,16 @@ static void pendulum_prescribed_part_1(pendulum_prescribed_state *state, const p
     const uint32_t t83 = t73 ? t80 : t82;
     state->good = t83;
     const uint32_t t84 = state->clean;
-    const uint32_t t85 = (t84 < 51U) ? (t84 + 1U) : 51U;
+    const uint32_t t85 = (t84 < 29U) ? (t84 + 1U) : 29U;
     const uint32_t t86 = t1 ? t85 : 0U;
-    const uint32_t t87 = t73 ? t80 : t86;
-    state->clean = t87;
+    const uint32_t t88 = t73 ? 29U : t86;
+    state->clean = t88;
 
     /* the estimate */
-    const int t91 = 50U < t83;
-    const int t92 = 50U < t87;
-    const pendulum_prescribed_status t93 = t92 ? PENDULUM_PRESCRIBED_CONVERGED : PENDULUM_PRESCRIBED_COASTING;
-    work->t94 = t91 ? t93 : PENDULUM_PRESCRIBED_CONVERGING;
+    const int t93 = 50U < t83;
+    const int t94 = 28U < t88;
+    const pendulum_prescribed_status t95 = t94 ? PENDULUM_PRESCRIBED_CONVERGED : PENDULUM_PRESCRIBED_COASTING;
+    work->t96 = t93 ? t95 : PENDULUM_PRESCRIBED_CONVERGING;
 }
 
 void pendulum_prescribed_init(pendulum_prescribed_state *state)
@@ -464,5 +464,5 @@ void pendulum_prescribed_step(pendulum_prescribed_state *state, const pendulum_p
 
     estimate->theta = work.t75;
     estimate->omega = work.t76;
-    estimate->status = work.t94;
+    estimate->status = work.t96;
 }

@@ -39,15 +39,15 @@ static const float ROBUST_EXACT_SCALES[6][3] = {
 /* What one part of a step hands to the next. */
 typedef struct {
     float t0;
-    float t9;
-    float t61;
-    float t62;
-    float t63;
-    float t80;
-    float t99;
-    float t101;
-    robust_exact_status t109;
-    int flags[1]; /* t1 */
+    float t12;
+    float t64;
+    float t65;
+    float t66;
+    float t84;
+    float t104;
+    float t106;
+    robust_exact_status t114;
+    int flags[2]; /* t1, t9 */
 } robust_exact_work;
 
 /* Part 1 of a step. */
@@ -65,111 +65,115 @@ static void robust_exact_part_1(const robust_exact_state *state, const robust_ex
     const float t6 = t2 + t5;
 
     /* correction by the innovation */
-    const float t8 = work->t0 - t6;
-    work->t9 = work->flags[0] ? t8 : 0.0f;
-    const int t10 = work->t9 <= 0.0f;
-    const float t11 = 0.0f - work->t9;
-    const float t12 = t10 ? t11 : work->t9;
-    const int t14 = 5.5e-5f < t12;
-    const float t15 = t14 ? 5.5e-5f : t12;
-    const float t16 = t12 - t15;
-    const float t18 = t16 * 18181.818f;
-    float t20 = t18;
-    float t21 = 1.0f;
+    const int t7 = (-6.2831855f <= t6) && (t6 <= 6.2831855f);
+    const int t8 = work->flags[0] || t7;
+    work->flags[1] = !t8;
+    const float t11 = work->t0 - t6;
+    work->t12 = work->flags[0] ? t11 : 0.0f;
+    const int t13 = work->t12 <= 0.0f;
+    const float t14 = 0.0f - work->t12;
+    const float t15 = t13 ? t14 : work->t12;
+    const int t17 = 5.5e-5f < t15;
+    const float t18 = t17 ? 5.5e-5f : t15;
+    const float t19 = t15 - t18;
+    const float t21 = t19 * 18181.818f;
+    float t23 = t21;
+    float t24 = 1.0f;
     for (uint32_t row = 0U; row < 6U; ++row) {
         const float *const gains = ROBUST_EXACT_SCALES[row];
-        const float t22 = gains[0];
-        const float t23 = gains[1];
-        const float t24 = gains[2];
-        const int t25 = t22 <= t20;
-        const float t26 = t20 * t23;
-        const float t27 = t21 * t24;
-        const float t28 = t25 ? t26 : t20;
-        const float t29 = t25 ? t27 : t21;
-        t20 = t28;
-        t21 = t29;
+        const float t25 = gains[0];
+        const float t26 = gains[1];
+        const float t27 = gains[2];
+        const int t28 = t25 <= t23;
+        const float t29 = t23 * t26;
+        const float t30 = t24 * t27;
+        const float t31 = t28 ? t29 : t23;
+        const float t32 = t28 ? t30 : t24;
+        t23 = t31;
+        t24 = t32;
     }
-    const float t31 = 2.0f * t21;
-    const float t33 = t18 / 1.9907243f;
-    const int t34 = t31 < t33;
-    const float t35 = t34 ? t31 : t33;
-    float t37 = t35;
+    const float t34 = 2.0f * t24;
+    const float t36 = t21 / 1.9907243f;
+    const int t37 = t34 < t36;
+    const float t38 = t37 ? t34 : t36;
+    float t40 = t38;
     for (uint32_t row = 0U; row < 7U; ++row) {
-        const float t38 = t37 + 1.9374586f;
-        const float t39 = t37 + t38;
-        const float t40 = t38 * t37;
-        const float t41 = t40 + 1.9907243f;
-        const float t42 = t39 * t37;
-        const float t43 = t42 + t41;
-        const float t44 = t41 * t37;
-        const float t45 = t44 - t18;
-        const float t46 = t45 / t43;
-        const float t47 = t37 - t46;
-        t37 = t47;
+        const float t41 = t40 + 1.9374586f;
+        const float t42 = t40 + t41;
+        const float t43 = t41 * t40;
+        const float t44 = t43 + 1.9907243f;
+        const float t45 = t42 * t40;
+        const float t46 = t45 + t44;
+        const float t47 = t44 * t40;
+        const float t48 = t47 - t21;
+        const float t49 = t48 / t46;
+        const float t50 = t40 - t49;
+        t40 = t50;
     }
-    const int t49 = work->t9 < 0.0f;
-    const float t50 = t49 ? -1.0f : 1.0f;
-    const float t51 = t50 * t15;
-    const float t53 = 0.00010948984f * t37;
-    const float t54 = t15 + t53;
-    const float t55 = t50 * t54;
-    const float t56 = t37 * t37;
-    const float t58 = 0.00010656023f * t56;
-    const float t59 = t54 + t58;
-    const float t60 = t50 * t59;
-    work->t61 = t6 + t60;
-    work->t62 = t5 + t55;
-    work->t63 = t4 + t51;
+    const int t52 = work->t12 < 0.0f;
+    const float t53 = t52 ? -1.0f : 1.0f;
+    const float t54 = t53 * t18;
+    const float t56 = 0.00010948984f * t40;
+    const float t57 = t18 + t56;
+    const float t58 = t53 * t57;
+    const float t59 = t40 * t40;
+    const float t61 = 0.00010656023f * t59;
+    const float t62 = t57 + t61;
+    const float t63 = t53 * t62;
+    work->t64 = t6 + t63;
+    work->t65 = t5 + t58;
+    work->t66 = t4 + t54;
 }
 
 /* Part 2 of a step. */
 static void robust_exact_part_2(robust_exact_state *state, robust_exact_work *work)
 {
     /* the first sample starts the observer; so does a state beyond all bounds */
-    const uint32_t t65 = state->good;
-    const int t66 = t65 == 0U;
-    const int t67 = (-12.566371f <= work->t9) && (work->t9 <= 12.566371f);
-    const int t68 = !t67;
-    const int t69 = t66 || t68;
-    const int t70 = (-1e25f <= work->t61) && (work->t61 <= 1e25f);
-    const int t71 = !t70;
-    const int t72 = t69 || t71;
-    const int t73 = (-1e25f <= work->t62) && (work->t62 <= 1e25f);
-    const int t74 = !t73;
-    const int t75 = t72 || t74;
-    const int t76 = (-1e25f <= work->t63) && (work->t63 <= 1e25f);
-    const int t77 = !t76;
-    const int t78 = t75 || t77;
-    const float t79 = work->flags[0] ? work->t0 : 0.0f;
-    work->t80 = t78 ? t79 : work->t61;
-    state->xi1 = work->t80;
-    const float t81 = t78 ? 0.0f : work->t62;
-    state->xi2 = t81;
-    const float t82 = t78 ? 0.0f : work->t63;
-    state->xi3 = t82;
-    const int t83 = (-0.001655f <= work->t9) && (work->t9 <= 0.001655f);
-    const uint32_t t85 = work->flags[0] ? 1U : 0U;
-    const uint32_t t86 = (t65 < 4U) ? (t65 + 1U) : 4U;
-    const uint32_t t87 = t83 ? t86 : 1U;
-    const uint32_t t88 = work->flags[0] ? t87 : t65;
-    const uint32_t t89 = t78 ? t85 : t88;
-    state->good = t89;
-    const uint32_t t90 = state->clean;
-    const uint32_t t91 = (t90 < 4U) ? (t90 + 1U) : 4U;
-    const uint32_t t92 = t83 ? t91 : 1U;
-    const uint32_t t93 = work->flags[0] ? t92 : 0U;
-    const uint32_t t94 = t78 ? t85 : t93;
-    state->clean = t94;
+    const uint32_t t68 = state->good;
+    const int t69 = t68 == 0U;
+    const int t70 = t69 || work->flags[1];
+    const int t71 = (-12.566371f <= work->t12) && (work->t12 <= 12.566371f);
+    const int t72 = !t71;
+    const int t73 = t70 || t72;
+    const int t74 = (-1e25f <= work->t64) && (work->t64 <= 1e25f);
+    const int t75 = !t74;
+    const int t76 = t73 || t75;
+    const int t77 = (-1e25f <= work->t65) && (work->t65 <= 1e25f);
+    const int t78 = !t77;
+    const int t79 = t76 || t78;
+    const int t80 = (-1e25f <= work->t66) && (work->t66 <= 1e25f);
+    const int t81 = !t80;
+    const int t82 = t79 || t81;
+    const float t83 = work->flags[0] ? work->t0 : 0.0f;
+    work->t84 = t82 ? t83 : work->t64;
+    state->xi1 = work->t84;
+    const float t85 = t82 ? 0.0f : work->t65;
+    state->xi2 = t85;
+    const float t86 = t82 ? 0.0f : work->t66;
+    state->xi3 = t86;
+    const int t87 = (-0.001655f <= work->t12) && (work->t12 <= 0.001655f);
+    const uint32_t t89 = work->flags[0] ? 1U : 0U;
+    const uint32_t t90 = (t68 < 4U) ? (t68 + 1U) : 4U;
+    const uint32_t t91 = t87 ? t90 : 1U;
+    const uint32_t t92 = work->flags[0] ? t91 : t68;
+    const uint32_t t93 = t82 ? t89 : t92;
+    state->good = t93;
+    const uint32_t t94 = state->clean;
+    const uint32_t t95 = (t94 < 4U) ? (t94 + 1U) : 4U;
+    const uint32_t t96 = t87 ? t95 : 1U;
+    const uint32_t t97 = work->flags[0] ? t96 : 0U;
+    const uint32_t t99 = t82 ? 4U : t97;
+    state->clean = t99;
 
     /* the estimate */
-    const float t96 = 200.0f * t81;
-    const float t98 = 100.0f * t82;
-    work->t99 = t96 + t98;
-    work->t101 = 40000.0f * t82;
-    const int t106 = 3U < t89;
-    const int t107 = 3U < t94;
-    const robust_exact_status t108 = t107 ? ROBUST_EXACT_CONVERGED : ROBUST_EXACT_COASTING;
-    work->t109 = t106 ? t108 : ROBUST_EXACT_CONVERGING;
+    const float t101 = 200.0f * t85;
+    const float t103 = 100.0f * t86;
+    work->t104 = t101 + t103;
+    work->t106 = 40000.0f * t86;
+    const int t111 = 3U < t93;
+    const int t112 = 3U < t99;
+    const robust_exact_status t113 = t112 ? ROBUST_EXACT_CONVERGED : ROBUST_EXACT_COASTING;
+    work->t114 = t111 ? t113 : ROBUST_EXACT_CONVERGING;
 }
 
 void robust_exact_init(robust_exact_state *state)
@@ -188,8 +192,8 @@ void robust_exact_step(robust_exact_state *state, const robust_exact_measurement
     robust_exact_part_1(state, measurements, &work);
     robust_exact_part_2(state, &work);
 
-    estimate->angle = work.t80;
-    estimate->dangle = work.t99;
-    estimate->d2angle = work.t101;
-    estimate->status = work.t109;
+    estimate->angle = work.t84;
+    estimate->dangle = work.t104;
+    estimate->d2angle = work.t106;
+    estimate->status = work.t114;
 }

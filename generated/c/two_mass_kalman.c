@@ -26,16 +26,16 @@
 typedef struct {
     double t0;
     double t2;
-    double t108;
-    double t109;
-    double t110;
-    double t111;
-    double t128;
-    double t130;
-    double t131;
-    double t132;
-    two_mass_kalman_status t149;
-    int flags[2]; /* t8, t82 */
+    double t30;
+    double t47;
+    double t64;
+    double t81;
+    double t136;
+    double t138;
+    double t139;
+    double t140;
+    two_mass_kalman_status t159;
+    int flags[4]; /* t1, t3, t8, t82 */
 } two_mass_kalman_work;
 
 /* Part 1 of a step. */
@@ -43,15 +43,15 @@ static void two_mass_kalman_part_1(two_mass_kalman_state *state, const two_mass_
 {
     /* samples: outside its range, infinite or NaN means missing */
     work->t0 = measurements->motor_angle;
-    const int t1 = (-628.3185307179587 <= work->t0) && (work->t0 <= 628.3185307179587);
+    work->flags[0] = (-628.3185307179587 <= work->t0) && (work->t0 <= 628.3185307179587);
     work->t2 = measurements->load_angle;
-    const int t3 = (-628.3185307179587 <= work->t2) && (work->t2 <= 628.3185307179587);
+    work->flags[1] = (-628.3185307179587 <= work->t2) && (work->t2 <= 628.3185307179587);
     const double t4 = inputs->torque;
     const int t5 = (-1e303 <= t4) && (t4 <= 1e303);
     const double t6 = state->last_torque;
     const double t7 = t5 ? t4 : t6;
     state->last_torque = t7;
-    work->flags[0] = t1 && t3;
+    work->flags[2] = work->flags[0] && work->flags[1];
 
     /* prediction by the plant */
     const double t9 = state->motor_angle;
@@ -69,7 +69,7 @@ static void two_mass_kalman_part_1(two_mass_kalman_state *state, const two_mass_
     const double t27 = t26 + t19;
     const double t28 = t21 + t23;
     const double t29 = t28 + t25;
-    const double t30 = t27 + t29;
+    work->t30 = t27 + t29;
     const double t32 = 0.0009950171547541218 * t9;
     const double t34 = 0.9990049828452459 * t10;
     const double t36 = 6.635768690597788e-7 * t11;
@@ -80,7 +80,7 @@ static void two_mass_kalman_part_1(two_mass_kalman_state *state, const two_mass_
     const double t44 = t43 + t36;
     const double t45 = t38 + t40;
     const double t46 = t45 + t42;
-    const double t47 = t44 + t46;
+    work->t47 = t44 + t46;
     const double t49 = -19.840741551425655 * t9;
     const double t51 = 19.840741551425655 * t10;
     const double t53 = 0.9851045434505166 * t11;
@@ -91,7 +91,7 @@ static void two_mass_kalman_part_1(two_mass_kalman_state *state, const two_mass_
     const double t61 = t60 + t53;
     const double t62 = t55 + t57;
     const double t63 = t62 + t59;
-    const double t64 = t61 + t63;
+    work->t64 = t61 + t63;
     const double t66 = 3.9681483102851307 * t9;
     const double t68 = -3.9681483102851307 * t10;
     const double t70 = 0.002979091309896687 * t11;
@@ -102,77 +102,85 @@ static void two_mass_kalman_part_1(two_mass_kalman_state *state, const two_mass_
     const double t78 = t77 + t70;
     const double t79 = t72 + t74;
     const double t80 = t79 + t76;
-    const double t81 = t78 + t80;
+    work->t81 = t78 + t80;
     state->last_known0 = t7;
-    work->flags[1] = t5 && work->flags[0];
-
-    /* correction by the innovation */
-    const double t84 = work->t0 - t30;
-    const double t85 = t1 ? t84 : 0.0;
-    const double t86 = work->t2 - t47;
-    const double t87 = t3 ? t86 : 0.0;
-    const double t89 = 0.6252170978732445 * t85;
-    const double t91 = 0.002542111325138867 * t87;
-    const double t92 = t89 + t91;
-    const double t94 = 0.050842226502777345 * t85;
-    const double t96 = 0.23729546780627317 * t87;
-    const double t97 = t94 + t96;
-    const double t99 = 588.5924566111323 * t85;
-    const double t101 = 7.518009944344432 * t87;
-    const double t102 = t99 + t101;
-    const double t104 = 15.768605939992751 * t85;
-    const double t106 = 64.50265025518871 * t87;
-    const double t107 = t104 + t106;
-    work->t108 = t30 + t92;
-    work->t109 = t47 + t97;
-    work->t110 = t64 + t102;
-    work->t111 = t81 + t107;
+    work->flags[3] = t5 && work->flags[2];
 }
 
 /* Part 2 of a step. */
 static void two_mass_kalman_part_2(two_mass_kalman_state *state, two_mass_kalman_work *work)
 {
+    /* correction by the innovation */
+    const int t83 = (-628.3185307179587 <= work->t30) && (work->t30 <= 628.3185307179587);
+    const int t84 = work->flags[0] || t83;
+    const int t85 = !t84;
+    const int t86 = (-628.3185307179587 <= work->t47) && (work->t47 <= 628.3185307179587);
+    const int t87 = work->flags[1] || t86;
+    const int t88 = !t87;
+    const int t89 = t85 || t88;
+    const double t91 = work->t0 - work->t30;
+    const double t92 = work->flags[0] ? t91 : 0.0;
+    const double t93 = work->t2 - work->t47;
+    const double t94 = work->flags[1] ? t93 : 0.0;
+    const double t96 = 0.6252170978732445 * t92;
+    const double t98 = 0.002542111325138867 * t94;
+    const double t99 = t96 + t98;
+    const double t101 = 0.050842226502777345 * t92;
+    const double t103 = 0.23729546780627317 * t94;
+    const double t104 = t101 + t103;
+    const double t106 = 588.5924566111323 * t92;
+    const double t108 = 7.518009944344432 * t94;
+    const double t109 = t106 + t108;
+    const double t111 = 15.768605939992751 * t92;
+    const double t113 = 64.50265025518871 * t94;
+    const double t114 = t111 + t113;
+    const double t115 = work->t30 + t99;
+    const double t116 = work->t47 + t104;
+    const double t117 = work->t64 + t109;
+    const double t118 = work->t81 + t114;
+
     /* the first sample starts the observer; so does a state beyond all bounds */
-    const uint32_t t113 = state->good;
-    const int t114 = t113 == 0U;
-    const int t115 = (-1e303 <= work->t108) && (work->t108 <= 1e303);
-    const int t116 = !t115;
-    const int t117 = t114 || t116;
-    const int t118 = (-1e303 <= work->t109) && (work->t109 <= 1e303);
-    const int t119 = !t118;
-    const int t120 = t117 || t119;
-    const int t121 = (-1e303 <= work->t110) && (work->t110 <= 1e303);
-    const int t122 = !t121;
-    const int t123 = t120 || t122;
-    const int t124 = (-1e303 <= work->t111) && (work->t111 <= 1e303);
-    const int t125 = !t124;
-    const int t126 = t123 || t125;
-    const double t127 = work->flags[0] ? work->t0 : 0.0;
-    work->t128 = t126 ? t127 : work->t108;
-    state->motor_angle = work->t128;
-    const double t129 = work->flags[0] ? work->t2 : 0.0;
-    work->t130 = t126 ? t129 : work->t109;
-    state->load_angle = work->t130;
-    work->t131 = t126 ? 0.0 : work->t110;
-    state->motor_speed = work->t131;
-    work->t132 = t126 ? 0.0 : work->t111;
-    state->load_speed = work->t132;
-    const uint32_t t134 = work->flags[0] ? 1U : 0U;
-    const uint32_t t135 = (t113 < 102U) ? (t113 + 1U) : 102U;
-    const uint32_t t136 = work->flags[0] ? t135 : t113;
-    const uint32_t t137 = t126 ? t134 : t136;
-    state->good = t137;
-    const uint32_t t138 = state->clean;
-    const uint32_t t139 = (t138 < 102U) ? (t138 + 1U) : 102U;
-    const uint32_t t140 = work->flags[1] ? t139 : 0U;
-    const uint32_t t141 = t126 ? t134 : t140;
-    state->clean = t141;
+    const uint32_t t120 = state->good;
+    const int t121 = t120 == 0U;
+    const int t122 = t121 || t89;
+    const int t123 = (-1e303 <= t115) && (t115 <= 1e303);
+    const int t124 = !t123;
+    const int t125 = t122 || t124;
+    const int t126 = (-1e303 <= t116) && (t116 <= 1e303);
+    const int t127 = !t126;
+    const int t128 = t125 || t127;
+    const int t129 = (-1e303 <= t117) && (t117 <= 1e303);
+    const int t130 = !t129;
+    const int t131 = t128 || t130;
+    const int t132 = (-1e303 <= t118) && (t118 <= 1e303);
+    const int t133 = !t132;
+    const int t134 = t131 || t133;
+    const double t135 = work->flags[2] ? work->t0 : 0.0;
+    work->t136 = t134 ? t135 : t115;
+    state->motor_angle = work->t136;
+    const double t137 = work->flags[2] ? work->t2 : 0.0;
+    work->t138 = t134 ? t137 : t116;
+    state->load_angle = work->t138;
+    work->t139 = t134 ? 0.0 : t117;
+    state->motor_speed = work->t139;
+    work->t140 = t134 ? 0.0 : t118;
+    state->load_speed = work->t140;
+    const uint32_t t142 = work->flags[2] ? 1U : 0U;
+    const uint32_t t143 = (t120 < 114U) ? (t120 + 1U) : 114U;
+    const uint32_t t144 = work->flags[2] ? t143 : t120;
+    const uint32_t t145 = t134 ? t142 : t144;
+    state->good = t145;
+    const uint32_t t146 = state->clean;
+    const uint32_t t147 = (t146 < 125U) ? (t146 + 1U) : 125U;
+    const uint32_t t148 = work->flags[3] ? t147 : 0U;
+    const uint32_t t150 = t134 ? 125U : t148;
+    state->clean = t150;
 
     /* the estimate */
-    const int t146 = 101U < t137;
-    const int t147 = 101U < t141;
-    const two_mass_kalman_status t148 = t147 ? TWO_MASS_KALMAN_CONVERGED : TWO_MASS_KALMAN_COASTING;
-    work->t149 = t146 ? t148 : TWO_MASS_KALMAN_CONVERGING;
+    const int t156 = 113U < t145;
+    const int t157 = 124U < t150;
+    const two_mass_kalman_status t158 = t157 ? TWO_MASS_KALMAN_CONVERGED : TWO_MASS_KALMAN_COASTING;
+    work->t159 = t156 ? t158 : TWO_MASS_KALMAN_CONVERGING;
 }
 
 void two_mass_kalman_init(two_mass_kalman_state *state)
@@ -194,9 +202,9 @@ void two_mass_kalman_step(two_mass_kalman_state *state, const two_mass_kalman_me
     two_mass_kalman_part_1(state, measurements, inputs, &work);
     two_mass_kalman_part_2(state, &work);
 
-    estimate->motor_angle = work.t128;
-    estimate->load_angle = work.t130;
-    estimate->motor_speed = work.t131;
-    estimate->load_speed = work.t132;
-    estimate->status = work.t149;
+    estimate->motor_angle = work.t136;
+    estimate->load_angle = work.t138;
+    estimate->motor_speed = work.t139;
+    estimate->load_speed = work.t140;
+    estimate->status = work.t159;
 }

@@ -14,7 +14,8 @@
  *              load_inertia = 0.05 kg m^2
  * Measured   motor_angle [rad], load_angle [rad]
  * Method     kalman: steady Kalman filter of 2 outputs; current estimator
- * Converged  from call 102 (0.0505 s after the first) to 1e-6 of the initial error; by 0.8716 a call
+ * Converged  from call 114 (0.0565 s after the first) to 1e-6 of the initial error; by 0.8716 a call
+ * Coasting   from a missing sample on, until 125 good calls in a row have followed
  *            standard deviations for this noise: motor_angle 0.00003536 rad, load_angle 0.00009743 rad, motor_speed 0.05583 rad/s, load_speed 0.04006 rad/s
  *
  *                                            motor_angle  load_angle  motor_speed  load_speed
@@ -27,7 +28,7 @@
  *
  * Cost       32 multiplications, 30 additions a call, the same for every call
  * Memory     state 56 bytes, constants 0 bytes
- *            at most: stack 2360 bytes, flash 4944 bytes without elementary functions
+ *            at most: stack 2440 bytes, flash 5296 bytes without elementary functions
  *
  * Contract:
  *  1. No heap, no recursion, no global or static mutable data, no file or console, no library.
@@ -85,8 +86,8 @@ typedef struct {
     double load_angle;  /* load_angle as last estimated */
     double motor_speed; /* motor_speed as last estimated */
     double load_speed;  /* load_speed as last estimated */
-    uint32_t good;      /* good calls, until there are enough */
-    uint32_t clean;     /* good calls in a row, until there are enough */
+    uint32_t good;      /* good calls, at most 114 */
+    uint32_t clean;     /* good calls in a row, at most 125 */
     double last_known0; /* torque of the last call */
     double last_torque; /* the last good value */
 } two_mass_kalman_state;
