@@ -52,7 +52,9 @@ pub(crate) fn orthonormalised(columns: &Rows) -> Rows {
         // Squares of what is far below one would vanish.
         let largest = column.iter().fold(0.0_f64, |largest, x| largest.max(x.abs()));
         if largest > 0.0 {
-            column.iter_mut().for_each(|x| *x /= largest);
+            for x in &mut column {
+                *x /= largest;
+            }
         }
         for _ in 0..2 {
             for unit in &basis {
@@ -62,7 +64,9 @@ pub(crate) fn orthonormalised(columns: &Rows) -> Rows {
         }
         let size = dot(&column, &column).sqrt();
         if size > 0.0 {
-            column.iter_mut().for_each(|x| *x /= size);
+            for x in &mut column {
+                *x /= size;
+            }
         }
         basis.push(column);
     }

@@ -134,7 +134,8 @@ fn the_table_is_measured() {
             cost.ram_bytes
         );
         if !readme.contains(&row) {
-            missing += &format!("{row}\n");
+            missing.push_str(&row);
+            missing.push('\n');
         }
     }
     assert!(missing.is_empty(), "not in the README:\n{missing}");

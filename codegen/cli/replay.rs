@@ -77,6 +77,10 @@ pub struct Replay<'a> {
     pub rows: u64,
     /// Rows with a converged or coasting estimate.
     pub converged_rows: u64,
+    /// Those of them that coast.
+    pub coasting_rows: u64,
+    /// The first such call, from 1.
+    pub converged_from: Option<u64>,
     /// Samples that the recording's time left out.
     pub left_out: u64,
     /// Per state.
@@ -110,6 +114,8 @@ impl<'a> Replay<'a> {
             odd_rows: 0,
             rows: 0,
             converged_rows: 0,
+            coasting_rows: 0,
+            converged_from: None,
             left_out: 0,
             errors: vec![Errors::default(); plant.states.len()],
         }
@@ -156,6 +162,8 @@ impl<'a> Replay<'a> {
             return;
         }
         self.converged_rows += 1;
+        self.coasting_rows += u64::from(status == Status::Coasting);
+        self.converged_from = self.converged_from.or(Some(self.steps + 1));
         for ((errors, reference), estimate) in self.errors.iter_mut().zip(&row.references).zip(estimate) {
             if reference.is_finite() {
                 errors.add(estimate - reference);

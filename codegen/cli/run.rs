@@ -332,20 +332,21 @@ fn json_report(plant: &Plant, replay: &Replay, compared: &[bool]) -> String {
     {
         errors.insert(state.label.name.clone(), json!({ "rms": error.rms(), "max": error.max }));
     }
-    let report =
-        json!({ "rows": replay.rows, "converged_rows": replay.converged_rows, "errors": Value::Object(errors) });
+    let report = json!({ "rows": replay.rows, "converged_rows": replay.converged_rows, "coasting_rows": replay.coasting_rows, "errors": Value::Object(errors) });
     format!("{report:#}\n")
 }
 
 fn text_report(generated: &Generated, replay: &Replay, compared: &[bool]) -> String {
     let plant = &generated.plant;
+    let (rows, converged) = (replay.rows, replay.converged_rows);
+    let from = replay.converged_from.map_or_else(|| "from none".to_owned(), |call| format!("from call {call}"));
+    let coasting = match replay.coasting_rows {
+        0 => String::new(),
+        coasting => format!(", {coasting} of these coasting"),
+    };
     let mut text = format!(
-        "{}: {}\n{} rows, {} of them converged (from call {})\n",
-        plant.name,
-        generated.design.summary,
-        replay.rows,
-        replay.converged_rows,
-        generated.design.valid_from_step + 1
+        "{}: {}\n{rows} rows, {converged} of them converged ({from}){coasting}\n",
+        plant.name, generated.design.summary
     );
     if !replay.timed() {
         let h = plant.sample_time_s();

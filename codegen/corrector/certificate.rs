@@ -76,7 +76,7 @@ impl Errors<'_> {
             }
         }
         if valid == 0 {
-            worst.raise(&self.at(0, 0, kernel).0)
+            worst.raise(&self.at(0, 0, kernel).0);
         }
         worst
     }

@@ -103,7 +103,7 @@ pub struct Keys {
     pub after: (After, Range<usize>),
     /// Steps, with their place.
     pub stop_before: Option<(usize, Range<usize>)>,
-    /// The largest g_i.
+    /// The largest `g_i`.
     pub max_gain: Option<Quantity>,
 }
 

@@ -81,7 +81,7 @@ impl Keyed for Keys {
         let mut all = constants(&built.exact.model);
         let gain = built.schedule.cycle.first().cloned().unwrap_or_default();
         all.push(NamedMatrix { letter: "K", rows: gain });
-        let mut warnings: Vec<Diagnostic> = noise(plant, &built.certificate).into_iter().collect();
+        let mut warnings: Vec<Diagnostic> = noise(plant, &built.certificate, self.order.order).into_iter().collect();
         warnings.extend(time_warning(plant));
         warnings.extend(resolution_warnings(plant));
         Ok(Design {
@@ -111,7 +111,7 @@ fn exact_after(plant: &Plant) -> usize {
 }
 
 /// What the declared noise does to the state that it reaches most, in multiples of it.
-fn noise(plant: &Plant, certificate: &Certificate) -> Option<Diagnostic> {
+fn noise(plant: &Plant, certificate: &Certificate, order: Option<usize>) -> Option<Diagnostic> {
     let output = &plant.outputs[0];
     let level = output.noise.as_ref()?.to_f64().ok().filter(|level| *level > 0.0)?;
     let gains = plant.states.iter().zip(&certificate.noise_gain_l1);
@@ -122,10 +122,18 @@ fn noise(plant: &Plant, certificate: &Certificate) -> Option<Diagnostic> {
     let label = format!("{} of it is up to {}{unit} in `{name}`", short(level), short(gain * level));
     let warning = Diagnostic::warning(codes::NOISE, output.label.span.clone(), message).measured(gain * level);
     let longer = count(10 * plant.states.len()) * plant.sample_time_s();
-    Some(warning.label(label).help(format!(
-        "`[observer.window]` with `window = {}` or more has less of it, or `prescribed-time` with a `stop_before`",
-        short(longer)
-    )))
+    let longer = short(longer);
+    let help = match order {
+        Some(order) => {
+            format!("`[observer.differentiator]` with `order = {order}` and `time = {longer}` or more has less of it")
+        }
+        None => {
+            format!(
+                "`[observer.window]` with `window = {longer}` or more has less of it, or `prescribed-time`, which ends before"
+            )
+        }
+    };
+    Some(warning.label(label).help(help))
 }
 
 #[cfg(test)]
