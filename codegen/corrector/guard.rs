@@ -1,6 +1,6 @@
 //! Which samples may enter, and how far a state may go, such that nothing overflows.
 //!
-//! With samples, known signals and states within the bound b of [`Guard`], every sum of one step is at most its gain
+//! With samples, known signals and states within the bound b, every sum of one step is at most its gain
 //! times b, below a sixteenth of the largest float. The step looks at the new state: one beyond b starts again. So no
 //! input and no number of calls makes the state non-finite, whatever the plant; b is above 1e20 for any sensible plant.
 

@@ -66,7 +66,7 @@ const CORRECTORS: [&str; 7] =
 /// Whether a specification's method predicts and corrects.
 pub fn corrects(name: &str) -> bool {
     let of = |method: &&str| corpus(name).lines().any(|line| line.trim() == format!("[observer.{method}]"));
-    CORRECTORS.iter().any(|method| of(method))
+    CORRECTORS.iter().any(of)
 }
 
 fn dc_motor() -> Truth {
