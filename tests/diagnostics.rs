@@ -544,7 +544,10 @@ fn scalar() -> impl Strategy<Value = &'static str> {
     proptest::sample::select(&["f32", "f64"][..])
 }
 
+/// Half as many unless `DEADBEAT_DEEP=1`, as `.ci/run` says.
 fn cases(cases: u32) -> ProptestConfig {
+    let deep = std::env::var("DEADBEAT_DEEP").is_ok_and(|value| value == "1");
+    let cases = if deep { cases } else { cases / 2 };
     ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() }
 }
 

@@ -12,7 +12,7 @@ use std::collections::BTreeSet;
 
 use compile::{Answer, Case, Sample, Workshop};
 use corpus::{ODD, Random, Span, Subject, side_by_side, subjects};
-use deadbeat_codegen::design::Convergence;
+use deadbeat_codegen::design::{Convergence, Shape};
 
 /// A smooth signal with some noise, in samples of the subject's window.
 #[expect(clippy::cast_precision_loss, reason = "step counts are small")]
@@ -47,7 +47,12 @@ fn case(subject: &Subject) -> Case {
     let (pace, rest) = if sensed { (1_000_000, 5_000) } else { (window, 200) };
     let (measured, applied) = (subject.measured(), subject.applied());
     let mut samples = Vec::new();
-    for step in 0..4 * window + rest {
+    // After the last fault, as long as its status takes.
+    let recovery = match &subject.generated.design.shape {
+        Shape::Corrector(corrector) => corrector.recovery,
+        _ => 0,
+    };
+    for step in 0..4 * window + rest + recovery {
         let mut signal = |place: usize, span: &Span, spoil: fn(f64, usize, usize, &mut Random) -> f64| {
             let value = smooth(*span, step, pace, place, if sensed { 0.0 } else { 1e-3 }, &mut random);
             spoil(value, step, window, &mut random)

@@ -185,7 +185,7 @@ impl<'a> Errors<'a> {
         let step = self.transition(self.lead.len() + self.cycle.len());
         let n = step.len();
         let matrix = nalgebra::DMatrix::from_fn(n, n, |i, j| step[i][j]);
-        matrix.complex_eigenvalues().iter().map(|z| z.re.hypot(z.im)).fold(0.0, f64::max)
+        matrix.complex_eigenvalues().iter().map(|z| (z.re * z.re + z.im * z.im).sqrt()).fold(0.0, f64::max)
     }
 
     /// The gain of a call, from 1.

@@ -477,9 +477,9 @@ fn unstable(l: &[Constant]) -> Option<f64> {
     let n = l.len();
     let companion = |i: usize, j: usize| f64::from(u8::from(j == i + 1)) - if j == 0 { l[i] } else { 0.0 };
     let roots = nalgebra::DMatrix::from_fn(n, n, companion).complex_eigenvalues();
-    let (right, size) = roots
-        .iter()
-        .fold((f64::NEG_INFINITY, 0.0_f64), |(right, size), z| (z.re.max(right), size.max(z.re.hypot(z.im))));
+    let (right, size) = roots.iter().fold((f64::NEG_INFINITY, 0.0_f64), |(right, size), z| {
+        (z.re.max(right), size.max((z.re * z.re + z.im * z.im).sqrt()))
+    });
     // A root on the axis is found off it by the n-th root of the rounding at most.
     (right >= -1e-9 * size).then_some(right)
 }

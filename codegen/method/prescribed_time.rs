@@ -170,7 +170,7 @@ impl Keyed for Keys {
         warnings.extend(resolution_warnings(plant));
         let mut all = constants(&exact.model);
         if let Some(chain) = &exact.chain {
-            let named = |letter, matrix: &Matrix| NamedMatrix { letter, rows: matrix.to_f64() };
+            let named = |letter, matrix: &Matrix| NamedMatrix { letter, rows: without_rounding(matrix) };
             all.extend([named("M", &chain.m), named("q", &chain.q)]);
         }
         let valid = corrector.valid;
