@@ -189,8 +189,9 @@ pub fn list(method: Option<&str>, common: &Common) -> Result<End, Failure> {
 fn page(method: &Method) -> String {
     let mut text = format!("[observer.{}]  {}\nSource: {}\n\nKeys\n", method.name, method.summary, method.source);
     let width = method.keys.iter().map(|(_, kind, _)| kind.chars().count()).max().unwrap_or(0);
+    let names = method.keys.iter().map(|(key, ..)| key.chars().count()).max().unwrap_or(0).max(12);
     for (key, kind, meaning) in method.keys {
-        let _ = writeln!(text, "  {key:<12} {kind:<width$}  {meaning}");
+        let _ = writeln!(text, "  {key:<names$} {kind:<width$}  {meaning}");
     }
     let _ = write!(text, "\nRealizations\n");
     for (name, what) in method.realizations {

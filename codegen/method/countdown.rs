@@ -1,10 +1,14 @@
-//! The keys of methods that count down to a prescribed time: the gain laws of 003 and 004, and what follows.
+//! Methods that count down to a prescribed time: the gain laws of 003 and 004 with their numbers, and what follows.
+//!
+//! [`keys`] reads the table, [`numbers`] evaluates a law; here are the steps, where they end, and what the user should
+//! know of that.
+
+pub mod keys;
+pub mod numbers;
 
 use std::ops::Range;
 
-use crate::corrector::law;
-use crate::corrector::theorem1;
-use crate::corrector::{After, Counting};
+use crate::corrector::{After, Counting, law, theorem1};
 use crate::decimal::show;
 use crate::diagnostic::{Diagnostic, codes};
 use crate::expr::{Constant, List};
@@ -12,46 +16,12 @@ use crate::plant::Plant;
 use crate::program::Scalar;
 use crate::real::{Precision, Rational, Real};
 use crate::spec::Quantity;
-use crate::spec::reader::Table;
 use crate::window::{count, whole_samples};
-
-/// Rows of the keys' table that all countdowns share.
-pub const TIME: (&str, &str, &str) =
-    ("time", "s", "T, a whole number of samples from the first one on: the countdown's end");
-/// 003's gains.
-pub const EFIMOV_ORLOV: (&str, &str, &str) =
-    ("efimov-orlov", "{ L = [n numbers] }", "003 (4): gains L_i (T/(T-t))^i; L_i in 1/s^i, above 0");
-/// 004's gains.
-pub const HOLLOWAY_KRSTIC: (&str, &str, &str) = (
-    "holloway-krstic",
-    "{ m, l = [n numbers] }",
-    "004 (22), (23): m >= 1, l the coefficients of a stable polynomial, l_i in 1/s^i; all 0 by default",
-);
-/// One number.
-pub const POLES: (&str, &str, &str) = (
-    "poles",
-    "{ p }",
-    "all poles of A - L C at -p/T: L_i = C(n,i) (p/T)^i; the default, with p = 10, or 4n - 8 above 4 states",
-);
-/// What follows the countdown.
-pub const AFTER: (&str, &str, &str) = (
-    "after",
-    "\"hold\" | \"restart\" | \"handover\"",
-    "the last gain stays, the countdown starts again (003 (21)), or a steady Kalman gain takes over",
-);
-/// Where it ends.
-pub const STOP_BEFORE: (&str, &str, &str) =
-    ("stop_before", "steps", "the fewest steps left; N/10 by default, N/5 for a restart");
-/// 004's way to say it.
-pub const MAX_GAIN: (&str, &str, &str) =
-    ("max_gain", "1/s^i", "instead of `stop_before`: the largest g_i, as 004 limits them (after Theorem 1)");
-
-/// What the first sample does not show.
-pub const INITIAL: (&str, &str, &str) = (
-    "initial",
-    "[numbers]",
-    "the states that the first sample does not show, in order; their own `initial` by default",
-);
+pub use keys::{
+    AFTER, EFIMOV_ORLOV, HOLLOWAY_KRSTIC, INITIAL, Keys, LawKeys, MAX_GAIN, POLES, STOP_BEFORE, TIME, read,
+};
+use numbers::numbers;
+pub use numbers::{Numbers, listed};
 
 /// Sets the states that the first sample does not show to what the key `initial` says.
 ///
@@ -80,117 +50,6 @@ pub fn start(plant: &mut Plant, initial: Option<&(Vec<Quantity>, Range<usize>)>)
 
 /// The most states of a countdown: the gains' powers and their exact exponents grow with them.
 const MOST_STATES: usize = 12;
-
-/// A gain law as written.
-#[derive(Clone, Debug)]
-pub enum LawKeys {
-    /// 003.
-    EfimovOrlov(Vec<Quantity>, Range<usize>),
-    /// 004.
-    HollowayKrstic(usize, Option<Vec<Quantity>>, Range<usize>),
-    /// All poles at -p/T.
-    Poles(Quantity),
-}
-
-/// What all countdowns read.
-#[derive(Clone, Debug)]
-pub struct Keys {
-    /// T.
-    pub time: Quantity,
-    /// The law; `None` for the default.
-    pub law: Option<LawKeys>,
-    /// What follows.
-    pub after: (After, Range<usize>),
-    /// Steps, with their place.
-    pub stop_before: Option<(usize, Range<usize>)>,
-    /// The largest `g_i`.
-    pub max_gain: Option<Quantity>,
-}
-
-/// Reads the keys; `handover` says whether there is a gain to hand over to.
-pub fn read(table: &mut Table) -> Option<Keys> {
-    let time = table.quantity("time");
-    if time.is_none() && !table.has("time") {
-        table.missing("time", "write `time = …`, the seconds from the first sample to the prescribed time");
-    }
-    let law = read_law(table);
-    let words = [("hold", After::Hold), ("restart", After::Restart), ("handover", After::Handover)];
-    let after = (table.choice("after", &words, After::Hold), table.key_span("after"));
-    let stop_before = steps(table, "stop_before");
-    let max_gain = table.quantity("max_gain");
-    if let (Some((_, span)), Some(gain)) = (&stop_before, &max_gain) {
-        let message = "`stop_before` and `max_gain` say the same thing twice";
-        let error = Diagnostic::error(codes::BAD_COMBINATION, gain.span(), message);
-        table.report(error.context(span.clone(), "the other").help("leave one of them out"));
-    }
-    Some(Keys { time: time?, law: law?, after, stop_before, max_gain })
-}
-
-/// The one law of a table; `Some(None)` where there is none.
-fn read_law(table: &mut Table) -> Option<Option<LawKeys>> {
-    let mut laws = Vec::new();
-    if let Some(mut keys) = table.table("efimov-orlov", "`efimov-orlov`") {
-        let list = keys.list("L");
-        if list.is_none() && !keys.has("L") {
-            keys.missing("L", "write `L = [..]`, one gain per state");
-        }
-        keys.finish();
-        let span = table.key_span("efimov-orlov");
-        laws.push((list.map(|(list, place)| LawKeys::EfimovOrlov(list, place)), span));
-    }
-    if let Some(mut keys) = table.table("holloway-krstic", "`holloway-krstic`") {
-        let m = steps(&mut keys, "m");
-        if m.is_none() && !keys.has("m") {
-            keys.missing("m", "write `m = 1`, or more for a faster decay at the end");
-        }
-        let l = keys.list("l");
-        let span = keys.key_span("l");
-        keys.finish();
-        let law = m.map(|(m, _)| LawKeys::HollowayKrstic(m, l.map(|(l, _)| l), span));
-        laws.push((law, table.key_span("holloway-krstic")));
-    }
-    if let Some(mut keys) = table.table("poles", "`poles`") {
-        let p = keys.quantity("p");
-        if p.is_none() && !keys.has("p") {
-            keys.missing("p", "write `p = 10`: the poles lie at -p/T");
-        }
-        keys.finish();
-        laws.push((p.map(LawKeys::Poles), table.key_span("poles")));
-    }
-    if let [(_, first), (_, second), ..] = laws.as_slice() {
-        let error = Diagnostic::error(codes::BAD_COMBINATION, second.clone(), "an observer has one gain law");
-        table.report(error.context(first.clone(), "the other").help("leave one of them out"));
-        return None;
-    }
-    match laws.pop() {
-        Some((law, _)) => law.map(Some),
-        None => Some(None),
-    }
-}
-
-/// A number of steps, if the key is there.
-fn steps(table: &mut Table, key: &str) -> Option<(usize, Range<usize>)> {
-    let (number, span) = table.whole(key)?;
-    match usize::try_from(number.numerator().clone()) {
-        Ok(steps @ ..=1_000_000) => Some((steps, span)),
-        _ => {
-            let message = format!("`{key}` must be a whole number from 0 to 1000000");
-            table.report(Diagnostic::error(codes::BAD_NUMBER, span, message));
-            None
-        }
-    }
-}
-
-/// A law with its numbers.
-#[derive(Clone, Debug)]
-pub enum Numbers {
-    /// L, T.
-    EfimovOrlov(Vec<Constant>),
-    /// m, l.
-    HollowayKrstic(usize, Vec<Constant>),
-    /// p.
-    Poles(Constant),
-}
 
 /// A countdown with its numbers.
 #[derive(Clone, Debug)]
@@ -416,104 +275,6 @@ pub fn of_table(plant: &Plant, keys: &Keys, found: &mut Vec<Diagnostic>) -> Opti
 /// An integer power.
 fn power(x: f64, n: usize) -> f64 {
     (0..n).fold(1.0, |product, _| product * x)
-}
-
-fn numbers(plant: &Plant, keys: &Keys, order: usize, found: &mut Vec<Diagnostic>) -> Option<Numbers> {
-    match &keys.law {
-        // So that a ten-thousandth of the worst initial error is left with N/10 steps left, at any order.
-        None => Some(Numbers::Poles(Constant::from(Rational::from(10.max((4 * order).saturating_sub(8)))))),
-        Some(LawKeys::Poles(p)) => {
-            let value = plant.constant(p, found)?;
-            positive(&value, "p", &p.span(), found).then_some(Numbers::Poles(value))
-        }
-        Some(LawKeys::EfimovOrlov(list, span)) => {
-            let values = listed(plant, list, span, ("L", order), found)?;
-            let mut each = values.iter().zip(list).enumerate();
-            let above = each.all(|(i, (v, place))| positive(v, &format!("L_{}", i + 1), &place.span(), found));
-            above.then_some(Numbers::EfimovOrlov(values))
-        }
-        Some(LawKeys::HollowayKrstic(m, list, span)) => {
-            let values = match list {
-                None => vec![Constant::default(); order],
-                Some(list) => listed(plant, list, span, ("l", order), found)?,
-            };
-            if *m == 0 {
-                let error = Diagnostic::error(codes::BAD_NUMBER, span.clone(), "`m` must be at least 1").measured(0.0);
-                found.push(error.help("write `m = 1`"));
-                return None;
-            }
-            let below = values.iter().position(|v| v.to_f64().unwrap_or(f64::NAN) < 0.0);
-            if let Some(i) = below {
-                let message = format!("l_{} must not be below 0", i + 1);
-                let number = values[i].to_f64().unwrap_or(f64::NAN);
-                let place = list.as_ref().map_or_else(|| span.clone(), |list| list[i].span());
-                let error = Diagnostic::error(codes::BAD_NUMBER, place, message).measured(number);
-                found.push(
-                    error.help("take the coefficients of a polynomial with all roots to the left, such as [2, 1]"),
-                );
-                return None;
-            }
-            if let Some(root) = unstable(&values) {
-                let message = "the polynomial s^n + l_1 s^(n-1) + … + l_n is not stable";
-                let error = Diagnostic::error(codes::BAD_NUMBER, span.clone(), message).measured(root);
-                let label = format!("a root has the real part {}", crate::describe::short(root));
-                found.push(
-                    error.label(label).help("leave `l` out, or take one with all roots to the left, such as [2, 1]"),
-                );
-                return None;
-            }
-            Some(Numbers::HollowayKrstic(*m, values))
-        }
-    }
-}
-
-/// The real part of the rightmost root of `s^n + l_1 s^(n-1) + … + l_n`, where it is not to the left; all l = 0 are 003's
-/// form.
-fn unstable(l: &[Constant]) -> Option<f64> {
-    let l: Vec<f64> = l.iter().map(|x| x.to_f64().unwrap_or(f64::NAN)).collect();
-    if l.iter().all(|x| *x == 0.0) {
-        return None;
-    }
-    let n = l.len();
-    let companion = |i: usize, j: usize| f64::from(u8::from(j == i + 1)) - if j == 0 { l[i] } else { 0.0 };
-    let roots = nalgebra::DMatrix::from_fn(n, n, companion).complex_eigenvalues();
-    let (right, size) = roots.iter().fold((f64::NEG_INFINITY, 0.0_f64), |(right, size), z| {
-        (z.re.max(right), size.max((z.re * z.re + z.im * z.im).sqrt()))
-    });
-    // A root on the axis is found off it by the n-th root of the rounding at most.
-    (right >= -1e-9 * size).then_some(right)
-}
-
-fn positive(value: &Constant, name: &str, span: &Range<usize>, found: &mut Vec<Diagnostic>) -> bool {
-    let number = value.to_f64().unwrap_or(f64::NAN);
-    if number > 0.0 {
-        return true;
-    }
-    let message = format!("{name} must be above 0, not {}", show(number));
-    let error = Diagnostic::error(codes::BAD_NUMBER, span.clone(), message).measured(number);
-    let label = "without it the gains' denominator may vanish";
-    found.push(error.label(label).help("take gains whose poles lie to the left, such as `poles = { p = 10 }`"));
-    false
-}
-
-/// As many numbers as there are states.
-pub fn listed(
-    plant: &Plant,
-    list: &[Quantity],
-    span: &Range<usize>,
-    (name, wanted): (&str, usize),
-    found: &mut Vec<Diagnostic>,
-) -> Option<Vec<Constant>> {
-    let values: Vec<Option<Constant>> = list.iter().map(|q| plant.constant(q, found)).collect();
-    let values: Vec<Constant> = values.into_iter().collect::<Option<_>>()?;
-    if values.len() == wanted {
-        return Some(values);
-    }
-    let states: Vec<&str> = plant.states.iter().map(|s| s.label.name.as_str()).collect();
-    let message = format!("`{name}` needs {wanted} numbers, one per state");
-    let error = Diagnostic::error(codes::SHAPE, span.clone(), message).measured(count(values.len()));
-    found.push(error.label(format!("these are {}", values.len())).help(format!("the states are {}", List(&states))));
-    None
 }
 
 /// A constant of the law without a value.
