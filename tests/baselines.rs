@@ -173,13 +173,15 @@ fn high_gain_follows_the_reference() {
     }
 }
 
-/// Plants that are tried, per method.
-const PLANTS: u64 = 120;
+/// Plants that are tried, and how many of them must be designed; more with `DEADBEAT_DEEP=1`, as `.ci/run` says.
+fn plants() -> (u64, u64) {
+    if std::env::var("DEADBEAT_DEEP").is_ok_and(|value| value == "1") { (280, 200) } else { (100, 65) }
+}
 
 /// A random linear plant without delays; its specification with this observer.
 fn random_plant(seed: u64, most_outputs: usize) -> (Linear, Random, impl Fn(&str) -> String) {
     let mut random = Random::new(seed);
-    let sizes = (1 + random.below(5), 1 + random.below(most_outputs), random.below(3));
+    let sizes = (1 + random.below(8), 1 + random.below(most_outputs), random.below(3));
     let kinds = (random.below(2) == 0, random.below(2) == 0);
     let (mut linear, random) = Linear::new((sizes.0, sizes.1, sizes.2, kinds, 0, seed));
     linear.delays = vec![0; sizes.1];
@@ -273,7 +275,8 @@ fn promise(what: &str, generated: &Generated, map: &DMatrix<f64>, (phi, c): (&DM
 #[test]
 fn random_plants_follow_their_poles() {
     let mut designs = 0_u64;
-    for seed in 0..PLANTS {
+    let (plants, enough) = plants();
+    for seed in 0..plants {
         let (linear, mut random, text) = random_plant(seed, 1);
         let mut poles = Vec::new();
         let n = linear.a.nrows();
@@ -291,13 +294,15 @@ fn random_plants_follow_their_poles() {
         designs += 1;
         keeps_its_promise(&format!("poles {seed}"), &linear, &generated, seed);
     }
-    assert!(designs > PLANTS * 3 / 5, "{designs} of {PLANTS}");
+    println!("{designs} designs");
+    assert!(designs >= enough, "{designs} of {plants}");
 }
 
 #[test]
 fn random_plants_have_a_kalman_filter() {
     let mut designs = 0_u64;
-    for seed in 0..PLANTS {
+    let (plants, enough) = plants();
+    for seed in 0..plants {
         let (linear, mut random, text) = random_plant(seed, 3);
         let noise: Vec<String> = (0..linear.a.nrows()).map(|_| random.within(1e-4, 1e-1).to_string()).collect();
         let density = if linear.discrete || random.below(2) == 0 { "" } else { "density = true\n" };
@@ -306,13 +311,15 @@ fn random_plants_have_a_kalman_filter() {
         designs += 1;
         keeps_its_promise(&format!("kalman {seed}"), &linear, &generated, seed);
     }
-    assert!(designs > PLANTS * 3 / 5, "{designs} of {PLANTS}");
+    println!("{designs} designs");
+    assert!(designs >= enough, "{designs} of {plants}");
 }
 
 #[test]
 fn random_plants_follow_a_high_gain() {
     let mut designs = 0_u64;
-    for seed in 0..PLANTS {
+    let (plants, enough) = plants();
+    for seed in 0..plants {
         let (linear, mut random, text) = random_plant(seed, 1);
         let gain = random.within(0.3, 3.0) / linear.h;
         let poles = vec!["-1"; linear.a.nrows()].join(", ");
@@ -322,5 +329,6 @@ fn random_plants_follow_a_high_gain() {
         designs += 1;
         keeps_its_promise(&format!("high gain {seed}"), &linear, &generated, seed);
     }
-    assert!(designs > PLANTS * 3 / 5, "{designs} of {PLANTS}");
+    println!("{designs} designs");
+    assert!(designs >= enough, "{designs} of {plants}");
 }
