@@ -208,7 +208,7 @@ fn dense(rows: &[Vec<f64>]) -> DMatrix<f64> {
 }
 
 /// What a run's errors must be: by the map from call to call, to rounding; and what is promised of them.
-fn keeps_its_promise(what: &str, linear: &Linear, generated: &Generated, seed: u64) {
+fn keeps_its_promise(what: &str, linear: &Linear, generated: &Generated, seed: u64) -> bool {
     let (phi, c, k) = (matrix(generated, "Phi"), matrix(generated, "C"), matrix(generated, "K"));
     let (phi, c, k) = (dense(phi), dense(c), dense(k));
     let n = phi.nrows();
@@ -244,17 +244,19 @@ fn keeps_its_promise(what: &str, linear: &Linear, generated: &Generated, seed: u
         let status = if call < valid { Status::Converging } else { Status::Converged };
         assert_eq!(answers.statuses[call], status, "{what}, call {call}");
     }
-    promise(what, generated, &map, (&phi, &c));
+    promise(what, generated, &map, (&phi, &c))
 }
 
 /// At the promised call a millionth is left of the worst error that the first sample does not show, in the root mean
 /// square of what an error does to the outputs until then: here by the Gramian over all calls.
-fn promise(what: &str, generated: &Generated, map: &DMatrix<f64>, (phi, c): (&DMatrix<f64>, &DMatrix<f64>)) {
+///
+/// Whether that could be compared.
+fn promise(what: &str, generated: &Generated, map: &DMatrix<f64>, (phi, c): (&DMatrix<f64>, &DMatrix<f64>)) -> bool {
     let (n, valid) = (phi.nrows(), generated.design.valid_from_step);
     let hidden: Vec<usize> = (0..n).filter(|i| generated.plant.states[*i].measured.is_empty()).collect();
     // Numbers of the condition of the Gramian are lost; where that is most of them, doubles cannot tell.
     if hidden.is_empty() || generated.design.numerics.condition > 1e4 || valid > 256 {
-        return;
+        return false;
     }
     let mut gramian = DMatrix::zeros(n, n);
     let mut row = c.clone();
@@ -270,11 +272,12 @@ fn promise(what: &str, generated: &Generated, map: &DMatrix<f64>, (phi, c): (&DM
         let left = size(&(&transition * &start)) / size(&start);
         assert!(left <= 1.01 * CONTRACTED, "{what}: {left:e} left of state {i} at call {valid}");
     }
+    true
 }
 
 #[test]
 fn random_plants_follow_their_poles() {
-    let mut designs = 0_u64;
+    let (mut designs, mut compared) = (0_u64, 0_u64);
     let (plants, enough) = plants();
     for seed in 0..plants {
         let (linear, mut random, text) = random_plant(seed, 1);
@@ -292,15 +295,16 @@ fn random_plants_follow_their_poles() {
         let observer = format!("[observer.luenberger]\npoles = [{}]", poles.join(", "));
         let Some(generated) = attempt(&text(&observer)) else { continue };
         designs += 1;
-        keeps_its_promise(&format!("poles {seed}"), &linear, &generated, seed);
+        compared += u64::from(keeps_its_promise(&format!("poles {seed}"), &linear, &generated, seed));
     }
-    println!("{designs} designs");
+    println!("{designs} designs, {compared} promises compared");
+    assert!(4 * compared >= designs, "{compared} of {designs} promises compared");
     assert!(designs >= enough, "{designs} of {plants}");
 }
 
 #[test]
 fn random_plants_have_a_kalman_filter() {
-    let mut designs = 0_u64;
+    let (mut designs, mut compared) = (0_u64, 0_u64);
     let (plants, enough) = plants();
     for seed in 0..plants {
         let (linear, mut random, text) = random_plant(seed, 3);
@@ -309,15 +313,16 @@ fn random_plants_have_a_kalman_filter() {
         let observer = format!("[observer.kalman]\n{density}process_noise = [{}]", noise.join(", "));
         let Some(generated) = attempt(&text(&observer)) else { continue };
         designs += 1;
-        keeps_its_promise(&format!("kalman {seed}"), &linear, &generated, seed);
+        compared += u64::from(keeps_its_promise(&format!("kalman {seed}"), &linear, &generated, seed));
     }
-    println!("{designs} designs");
+    println!("{designs} designs, {compared} promises compared");
+    assert!(4 * compared >= designs, "{compared} of {designs} promises compared");
     assert!(designs >= enough, "{designs} of {plants}");
 }
 
 #[test]
 fn random_plants_follow_a_high_gain() {
-    let mut designs = 0_u64;
+    let (mut designs, mut compared) = (0_u64, 0_u64);
     let (plants, enough) = plants();
     for seed in 0..plants {
         let (linear, mut random, text) = random_plant(seed, 1);
@@ -327,8 +332,9 @@ fn random_plants_follow_a_high_gain() {
             continue;
         };
         designs += 1;
-        keeps_its_promise(&format!("high gain {seed}"), &linear, &generated, seed);
+        compared += u64::from(keeps_its_promise(&format!("high gain {seed}"), &linear, &generated, seed));
     }
-    println!("{designs} designs");
+    println!("{designs} designs, {compared} promises compared");
+    assert!(4 * compared >= designs, "{compared} of {designs} promises compared");
     assert!(designs >= enough, "{designs} of {plants}");
 }

@@ -7,7 +7,7 @@
 //! above by what is so bounded (prescribed-time-observers, section 6, has exact ones for 003's example; the tests
 //! compare).
 
-use super::errors::{Errors, Sums};
+use super::errors::{Errors, Remaining, Sums};
 use crate::dense::{Rows as Dense, add, frobenius, identity, product};
 use crate::design::Certificate;
 use crate::plant::Plant;
@@ -25,7 +25,7 @@ const MOST_WORK: f64 = 2e8;
 
 impl Errors<'_> {
     /// The certificate from call `valid` on.
-    pub fn certify(&self, valid: usize) -> Certificate {
+    pub fn certify(&self, valid: usize, remaining: &Remaining) -> Certificate {
         let kernel = Kernel::new(self.plant);
         let kernel = kernel.as_ref();
         let worst = match self.cycle.len() {
@@ -43,7 +43,7 @@ impl Errors<'_> {
             noise_gain_l1: worst.noise,
             disturbance_gain_l1,
             error_bound,
-            initial_gain: self.remaining(valid).by_state,
+            initial_gain: remaining.by_state.clone(),
         }
     }
 
@@ -106,6 +106,8 @@ impl Errors<'_> {
             if call > exactly {
                 let mut all = at_valid.carried(&product(&product(&self.back, &transition), &self.to));
                 all.add(&recent);
+                // A signal's value at V also begins the first interval after it.
+                self.finish(&mut all, &rows, &begun, false);
                 worst.raise(&all);
             }
             spent += self.work();

@@ -85,7 +85,7 @@ pub fn build(request: &Request) -> Result<Built, Vec<Diagnostic>> {
     let schedule = Schedule::new(&exact, counting, valid);
     let errors = Errors::new(plant, &request.signals, &exact, &schedule).ok_or_else(|| unobservable(plant))?;
     let remaining = errors.remaining(valid);
-    let certificate = errors.certify(valid);
+    let certificate = errors.certify(valid, &remaining);
     corrector.recovery = errors.recovery(valid, remaining.share);
     let convergence = match request.promise {
         Promise::At(_) => Convergence::Prescribed { left: remaining.share },

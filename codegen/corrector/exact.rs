@@ -1,13 +1,12 @@
 //! The observer at one precision.
 
+use super::Counting;
 use super::chain::Chain;
 use super::law::Rows;
 use super::sliding::ExactSliding;
-use super::{After, Counting};
 use crate::diagnostic::Diagnostic;
 use crate::plant::Plant;
 use crate::real::{Matrix, Precision, Real, inverse};
-use crate::window::Signal;
 use crate::window::model::Model;
 
 /// What a method's keys say of the gain, at one precision.
@@ -103,11 +102,6 @@ impl Exact {
     }
 }
 
-/// The plant at one precision.
-pub fn model(plant: &Plant, signals: &[Signal], precision: Precision) -> Result<Model, Vec<Diagnostic>> {
-    Model::new(plant, signals, precision)
-}
-
 fn start(plant: &Plant, chain: &Chain, precision: Precision) -> Result<Matrix, Vec<Diagnostic>> {
     let n = plant.states.len();
     let initial = Matrix::from_fn(n, 1, |i, _| {
@@ -117,9 +111,4 @@ fn start(plant: &Plant, chain: &Chain, precision: Precision) -> Result<Matrix, V
     });
     let back = inverse(&chain.m).map_err(|error| super::design::no_chain(plant, &error.to_string()))?;
     Ok(&back * &initial)
-}
-
-/// Whether a countdown starts again.
-pub fn restarts(counting: Counting) -> bool {
-    counting.after == After::Restart
 }

@@ -80,6 +80,11 @@ impl Keys {
         self.process.is_some() || self.measurement.is_some()
     }
 
+    /// Where the first of them stands, if any is there.
+    pub(super) fn place(&self) -> Option<Range<usize>> {
+        self.process.as_ref().or(self.measurement.as_ref()).map(|given| given.span.clone())
+    }
+
     /// The noise, after everything that stands against it was reported.
     pub(super) fn check(&self, plant: &Plant, found: &mut Vec<Diagnostic>) -> Option<Model> {
         let before = found.len();

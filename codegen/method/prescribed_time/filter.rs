@@ -127,6 +127,11 @@ impl Keys {
         law: Option<&Law>,
         found: &mut Vec<Diagnostic>,
     ) -> Option<noise::Model> {
+        if let (Some(_), Some(span), false) = (law, self.steady.place(), after == After::Handover) {
+            let message = "beside the braces of `kalman` the noise is of a handover, and there is none";
+            let error = Diagnostic::error(codes::BAD_COMBINATION, span, message);
+            found.push(error.help("write it within the braces, or `after = \"handover\"`"));
+        }
         match law {
             Some(law) if !self.steady.given() => Some(law.noise.clone()),
             _ if self.steady.given() || after == After::Handover => self.steady.check(plant, found),
