@@ -17,7 +17,7 @@ fn design(observer: &str, expected: f64) -> Generated {
     designed(&format!(
         "deadbeat = 1\nname = 'd'\n[states]\nx = {{ derivative = 'v' }}\nv = {{ derivative = 'w' }}\n[outputs]\n\
          x = {{ value = 'x', noise = 0.01 }}\n[disturbances]\nw = {{ bound = 'sqrt({bound})' }}\n[observer.prescribed-time]\n\
-         time = 1\nmeasurement_noise = [1e-4]\n{observer}\n[target]\nsample_time = 0.01\nscalar = 'f64'\n"
+         time = 1\n{observer}\n[target]\nsample_time = 0.01\nscalar = 'f64'\n"
     ))
 }
 
@@ -68,7 +68,7 @@ fn near(what: &str, ours: [f64; 2], theirs: [f64; 2], tolerance: f64) {
 /// T/10, and 200 runs here by less.
 #[test]
 fn what_is_left_of_noise_after_the_prescribed_time() {
-    let hk = "holloway-krstic = { m = 1 }\n";
+    let hk = "measurement_noise = [1e-4]\nholloway-krstic = { m = 1 }\n";
     let kalman = "kalman = { initial_deviation = 1000, measurement_noise = [1e-4] }\n";
     // Rows, from and to in T, both columns of the table.
     let rows = [
@@ -96,7 +96,7 @@ fn a_better_kalman_table_is_said_with_both_numbers() {
         let notes = design(observer, 1.0).design.notes;
         notes.into_iter().find(|note| note.starts_with("the law `kalman`"))
     };
-    let said = better("holloway-krstic = { m = 1 }\nstop_before = 0").unwrap();
+    let said = better("measurement_noise = [1e-4]\nholloway-krstic = { m = 1 }\nstop_before = 0").unwrap();
     assert!(said.contains("x 0.003631, 0.003631; v 0.03695, 0.03695"), "{said}");
-    assert_eq!(better("kalman = { initial_deviation = 1000 }"), None);
+    assert_eq!(better("kalman = { initial_deviation = 1000, measurement_noise = [1e-4] }"), None);
 }
