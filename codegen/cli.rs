@@ -3,8 +3,13 @@
 //! Text for people on standard output, diagnostics on standard error. Exit 0 fine, 1 the
 //! specification or the data is wrong, 2 what is on disk differs, 3 wrong usage.
 
+mod columns;
 mod commands;
+mod estimate;
 mod figure;
+mod files;
+mod interface;
+mod progress;
 mod recording;
 mod replay;
 mod report;
