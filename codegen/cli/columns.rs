@@ -88,7 +88,7 @@ pub struct Selection {
 
 impl Selection {
     /// The place among the selected cells.
-    fn place(&mut self, name: String) -> usize {
+    pub fn place(&mut self, name: String) -> usize {
         self.names.iter().position(|other| *other == name).unwrap_or_else(|| {
             self.names.push(name);
             self.names.len() - 1

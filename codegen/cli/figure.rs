@@ -7,7 +7,7 @@ use deadbeat_codegen::program::Status;
 use deadbeat_codegen::real::Rational;
 use deadbeat_codegen::window::seconds;
 
-use super::interface::{Answer, Interface, MeasuredKind, fold};
+use super::interface::{Answer, Interface, MeasuredKind, fold, number};
 use super::replay::{Replay, Row, Sample};
 use super::svg::{Cell, Column, Curve, Figure, Marker, Panel, Role};
 use super::thin::Thin;
@@ -119,6 +119,7 @@ impl Curves {
             subtitle: format!("{}: {}\n{}", generated.design.method, generated.design.summary, self.sentence(replay)),
             title,
             x_label: "time [s]".into(),
+            legend: Vec::new(),
             columns: vec![
                 Column { title: "the whole recording".into(), x_range: None },
                 Column { title: first, x_range: Some((start, start + self.zoom_s)) },
@@ -198,7 +199,8 @@ fn measured(plant: &Plant, interface: &Interface, state: usize) -> Option<Measur
     let unit = |output: usize| row(output)[state].as_rational().is_some_and(|c| c == Rational::ONE);
     interface.measurements.iter().enumerate().find_map(|(field, measured)| match measured.kind {
         MeasuredKind::Sample { output, .. } if alone(output) && unit(output) => {
-            Some(Measured { field, output, scale: 1.0 })
+            let quantum = plant.outputs[output].quantum.as_ref().filter(|_| measured.kind.is_count());
+            Some(Measured { field, output, scale: quantum.map_or(1.0, number) })
         }
         _ => None,
     })

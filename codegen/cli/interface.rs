@@ -1,7 +1,9 @@
 //! What a step takes and gives, by the fields of its Program: what a replay hands over, and what it may compare.
 
 use deadbeat_codegen::Generated;
+use deadbeat_codegen::expr::Constant;
 use deadbeat_codegen::plant::Plant;
+use deadbeat_codegen::program::{Field, Kind};
 
 /// The fields of one step function.
 #[derive(Clone, Debug)]
@@ -42,7 +44,7 @@ pub enum MeasuredKind {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Count {
     /// 16 or 32.
-    pub bits: u32,
+    pub bits: u8,
     /// Two's complement.
     pub signed: bool,
 }
@@ -71,14 +73,14 @@ impl Interface {
         let measurements = program
             .measurements
             .iter()
-            .map(|field| Measured { name: field.name.clone(), kind: measured(plant, &field.name) });
+            .map(|field| Measured { name: field.name.clone(), kind: measured(plant, field) });
         let answers = program.estimates.iter().map(|(field, _)| {
             let state = state(plant, &field.name);
             Answer {
                 name: field.name.clone(),
                 unit: field.unit.clone(),
                 doc: field.doc.clone(),
-                integer: false,
+                integer: field.kind == Kind::Index,
                 state,
                 turns: state.map_or_else(Vec::new, |state| turns(plant, state)),
             }
@@ -125,10 +127,15 @@ pub fn fold(difference: f64, turns: &[f64]) -> f64 {
 }
 
 /// What a field of the measurements is, by its name: an output's, or the age of one.
-fn measured(plant: &Plant, name: &str) -> MeasuredKind {
+fn measured(plant: &Plant, field: &Field) -> MeasuredKind {
+    let name = &field.name;
+    let count = match field.kind {
+        Kind::Count { bits, signed } => Some(Count { bits, signed }),
+        Kind::Float | Kind::Index => None,
+    };
     let output = |name: &str| plant.outputs.iter().position(|output| output.label.name == name);
     match (output(name), name.strip_suffix("_age").and_then(output)) {
-        (Some(output), _) => MeasuredKind::Sample { output, count: count(plant, output) },
+        (Some(output), _) => MeasuredKind::Sample { output, count },
         (None, Some(output)) => MeasuredKind::Age { output },
         (None, None) => unreachable!("`{name}` is neither an output nor the age of one"),
     }
@@ -144,12 +151,14 @@ fn state(plant: &Plant, name: &str) -> Option<usize> {
     state(name).or_else(|| of_window().and_then(state))
 }
 
-/// The integer type of an output's samples.
-fn count(_plant: &Plant, _output: usize) -> Option<Count> {
-    None
+/// How far a state moves with a turn of each wrapped output.
+fn turns(plant: &Plant, state: usize) -> Vec<f64> {
+    let wraps = plant.outputs.iter().filter_map(|output| output.wrap.as_ref());
+    let moved = wraps.map(|wrap| (number(&wrap.turn) * number(&wrap.direction[state])).abs());
+    moved.filter(|turn| *turn > 0.0).collect()
 }
 
-/// How far a state moves with a turn of each wrapped output.
-fn turns(_plant: &Plant, _state: usize) -> Vec<f64> {
-    Vec::new()
+/// The nearest double.
+pub fn number(value: &Constant) -> f64 {
+    value.to_f64().unwrap_or(f64::NAN)
 }
