@@ -7,6 +7,7 @@
 //! Text in, a list of files out; only [`build`], [`Output::write_to`] and [`Output::verify`], the macro and
 //! the command line touch the disk. Start at [`Generator`].
 
+pub mod baseline;
 pub mod corrector;
 pub mod decimal;
 mod dense;
