@@ -14,7 +14,7 @@
 use std::sync::Arc;
 
 use super::constant::{Asked, Outputs, design, refuse};
-use super::{Keyed, Method, order};
+use super::{Cannot, Feature, Keyed, Method, order};
 use crate::corrector::exact::Law;
 use crate::decimal::show;
 use crate::describe::short;
@@ -86,6 +86,10 @@ impl Keyed for Keys {
 
     fn instead_of_chain(&self) -> &'static str {
         "`[observer.luenberger]` and `[observer.kalman]` have a constant gain for a plant of your own"
+    }
+
+    fn cannot(&self, feature: Feature, _plant: &Plant) -> Option<Cannot> {
+        crate::corrector::cannot(feature)
     }
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {

@@ -11,7 +11,7 @@
 use std::sync::Arc;
 
 use super::baseline::{self, Settling};
-use super::{Keyed, Method};
+use super::{Cannot, Feature, Keyed, Method};
 use crate::baseline::{Baseline, Law, LowPass};
 use crate::decimal::show;
 use crate::describe::short;
@@ -59,6 +59,10 @@ impl Keyed for Keys {
 
     fn instead_of_chain(&self) -> &'static str {
         "`[observer.window]` takes a plant of your own"
+    }
+
+    fn cannot(&self, feature: Feature, _plant: &Plant) -> Option<Cannot> {
+        crate::baseline::cannot(feature)
     }
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {

@@ -12,7 +12,7 @@
 use std::sync::Arc;
 
 use super::constant::{Asked, Outputs, design, refuse};
-use super::{Keyed, Method};
+use super::{Cannot, Feature, Keyed, Method};
 use crate::corrector::exact::Law;
 use crate::decimal::show;
 use crate::describe::short;
@@ -57,6 +57,10 @@ impl Keyed for Keys {
 
     fn instead_of_chain(&self) -> &'static str {
         "`[observer.luenberger]` and `[observer.kalman]` have a constant gain for a plant of your own"
+    }
+
+    fn cannot(&self, feature: Feature, _plant: &Plant) -> Option<Cannot> {
+        crate::corrector::cannot(feature)
     }
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {

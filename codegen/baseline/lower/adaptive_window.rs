@@ -69,11 +69,12 @@ impl Lowering<'_> {
         let run = b.mul(slope, past);
         let off = b.sub(level, run);
         let signal = b.add(last, off);
+        let signal = self.folded(signal);
         let period = self.constant(law.period);
         let rate = self.builder.div(slope, period);
         let rate = self.builder.sub(zero, rate);
         let status = self.status(known, good);
-        self.report([signal, rate], status);
+        self.report([signal, rate], status, good);
     }
 
     fn window_cells(&mut self, law: &AdaptiveWindow) -> Cells {
@@ -105,6 +106,8 @@ impl Lowering<'_> {
         let none = b.index(0);
         // The first sample is the end of no move: what is written for it is in no window.
         let moved = b.sub(sample, last);
+        let moved = self.folded(moved);
+        let b = &mut self.builder;
         let gap = b.to_float(waited);
         let newest = b.read(cells.newest);
         let newest = b.at_most(newest, n - 1);

@@ -45,7 +45,7 @@ impl Lowering<'_> {
         self.builder.set(cells.rate, rate);
         let last = self.builder.read(cells.last);
         let status = self.low_pass_status(&cells, count, (good, begun));
-        self.report([last, rate], status);
+        self.report([last, rate], status, good);
     }
 
     fn low_pass_cells(&mut self) -> Cells {
@@ -70,6 +70,8 @@ impl Lowering<'_> {
         let (zero, none) = (b.float(0.0), b.index(0));
         let last = b.read(cells.last);
         let step = b.sub(sample, last);
+        let step = self.folded(step);
+        let b = &mut self.builder;
         let both = b.and(good, begun);
         let step = b.select(both, step, zero);
         let (rose, fell) = (b.less(zero, step), b.less(step, zero));
