@@ -144,6 +144,14 @@ fn measured(output: &crate::plant::Output) -> String {
     text
 }
 
+/// What a sample may be off by, where that has parts.
+pub fn noise_parts(output: &crate::plant::Output) -> Option<String> {
+    let value = |constant: &crate::expr::Constant| short(constant.to_f64().unwrap_or(f64::NAN));
+    let total = output.noise.as_ref().filter(|_| !output.noise_parts.is_empty())?;
+    let parts: Vec<String> = output.noise_parts.iter().map(|(what, part)| format!("{} {what}", value(part))).collect();
+    Some(format!("noise of {}: at most {}, of which {}", output.label.name, value(total), parts.join(", ")))
+}
+
 fn converged(generated: &Generated) -> String {
     let step = generated.design.valid_from_step;
     let time = format!("{:.9}", crate::window::seconds(step, generated.plant.sample_time_s()));
