@@ -287,7 +287,7 @@ fn largest<'a>(rows: impl Iterator<Item = &'a Vec<f64>>) -> Vec<f64> {
 pub fn functional(generated: &Generated) -> &Functional {
     match &generated.design.shape {
         Shape::Window(functional) => functional,
-        Shape::Regression(_) | Shape::Impulsive(_) | Shape::Corrector(_) => {
+        Shape::Regression(_) | Shape::Impulsive(_) | Shape::Corrector(_) | Shape::Baseline(_) => {
             panic!("{} has no constant weights", generated.plant.name)
         }
     }
@@ -298,7 +298,7 @@ pub fn delays(generated: &Generated) -> Vec<usize> {
     match &generated.design.shape {
         Shape::Window(functional) => functional.delays.clone(),
         Shape::Regression(regression) => regression.carrier.delays.clone(),
-        Shape::Impulsive(_) | Shape::Corrector(_) => vec![0; generated.plant.outputs.len()],
+        Shape::Impulsive(_) | Shape::Corrector(_) | Shape::Baseline(_) => vec![0; generated.plant.outputs.len()],
     }
 }
 

@@ -19,6 +19,9 @@ pub fn truth(name: &str) -> Option<Truth> {
         "differentiator_euler" => {
             Truth { start: vec![(290.0, 310.0), (-0.05, 0.05), (0.0, 0.0)], ..integrators(&[0.0; 3]) }
         }
+        "pll" | "low_pass" | "adaptive_window" => integrators(&[2.0, 20.0]),
+        "alpha_beta" => integrators(&[100.0, 5.0]),
+        "alpha_beta_gamma" => integrators(&[0.1, 0.5, 2.0]),
         "drive_irregular" => drive_irregular(),
         "drive_prescribed" => drive_prescribed(),
         "fixed_time_linear" => shaker(),
@@ -61,13 +64,34 @@ pub fn names_of(method: &str) -> Vec<String> {
 }
 
 /// The methods that predict and correct.
-const CORRECTORS: [&str; 7] =
-    ["prescribed-time", "differentiator", "luenberger", "kalman", "high-gain", "fixed-time-linear", "robust-exact"];
+const CORRECTORS: [&str; 9] = [
+    "prescribed-time",
+    "differentiator",
+    "luenberger",
+    "kalman",
+    "high-gain",
+    "fixed-time-linear",
+    "robust-exact",
+    "pll",
+    "alpha-beta",
+];
+
+/// The methods that promise nothing: `tests/baselines_shipped.rs` says what they compute.
+const BASELINES: [&str; 2] = ["low-pass", "adaptive-window"];
 
 /// Whether a specification's method predicts and corrects.
 pub fn corrects(name: &str) -> bool {
+    uses(name, &CORRECTORS)
+}
+
+/// Whether a specification's method is a formula without a certificate.
+pub fn is_baseline(name: &str) -> bool {
+    uses(name, &BASELINES)
+}
+
+fn uses(name: &str, methods: &[&str]) -> bool {
     let of = |method: &&str| corpus(name).lines().any(|line| line.trim() == format!("[observer.{method}]"));
-    CORRECTORS.iter().any(of)
+    methods.iter().any(of)
 }
 
 fn dc_motor() -> Truth {
