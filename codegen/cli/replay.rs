@@ -57,7 +57,7 @@ pub struct Row {
 pub struct Sample {
     /// s since the first row, or the recording's own time.
     pub t: f64,
-    /// Per state.
+    /// Every field of the estimate, those of the states first.
     pub estimate: Vec<f64>,
     /// Of the estimate.
     pub status: Status,
@@ -67,6 +67,8 @@ pub struct Sample {
 pub struct Replay<'a> {
     plant: &'a Plant,
     interpreter: Interpreter,
+    /// Fields of the estimate.
+    fields: usize,
     held: Vec<f64>,
     previous: Option<Row>,
     /// Of the first row, s.
@@ -107,6 +109,7 @@ impl<'a> Replay<'a> {
         Self {
             plant,
             interpreter: Interpreter::new(program),
+            fields: program.estimates.len(),
             held: vec![0.0; plant.inputs.len()],
             previous: None,
             start: None,
@@ -131,7 +134,7 @@ impl<'a> Replay<'a> {
         let gap = self.gap(row)?;
         self.check_rate(row, gap)?;
         let previous = self.previous.take();
-        let mut estimate = vec![0.0; self.plant.states.len()];
+        let mut estimate = vec![0.0; self.fields];
         if let Some(previous) = &previous {
             for missing in 1..gap {
                 let inputs = self.inputs(previous, row, missing, gap);

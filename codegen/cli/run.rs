@@ -84,7 +84,7 @@ pub fn run(options: &Options) -> Result<End, Failure> {
 
     let mut replay = Replay::new(plant, &generated.program);
     let mut curves = Curves::new(&generated, &columns.compared());
-    let mut estimate = options.out.as_ref().map(|path| Estimate::create(path, plant)).transpose()?;
+    let mut estimate = options.out.as_ref().map(|path| Estimate::create(path, &generated.program)).transpose()?;
     let mut progress = Progress::new();
     let mut cells = vec![0.0; names.len()];
     while recording.next_row(&mut cells).map_err(|error| explained(&error))? {
@@ -234,7 +234,7 @@ struct Estimate {
 }
 
 impl Estimate {
-    fn create(path: &Path, plant: &Plant) -> Result<Self, Failure> {
+    fn create(path: &Path, program: &Program) -> Result<Self, Failure> {
         let part = (!is_standard(path)).then(|| {
             let mut name = path.file_name().unwrap_or_default().to_owned();
             name.push(".part");
@@ -244,10 +244,10 @@ impl Estimate {
             Some(part) => Box::new(File::create(part).map_err(|error| unwritable(part, &error))?),
             None => Box::new(io::stdout()),
         };
-        let names: Vec<&str> = plant.states.iter().map(|s| s.label.name.as_str()).collect();
+        let names: Vec<&str> = program.estimates.iter().map(|(field, _)| field.name.as_str()).collect();
         let line = format!("t,{},status\n", names.join(","));
         let mut estimate =
-            Self { path: path.to_owned(), part, file: BufWriter::new(file), line, single: plant.scalar == Scalar::F32 };
+            Self { path: path.to_owned(), part, file: BufWriter::new(file), line, single: program.scalar == Scalar::F32 };
         estimate.flush_line()?;
         Ok(estimate)
     }

@@ -84,6 +84,9 @@ fn design(plant: &Plant, request: &Request, wanted: Wanted, depth: Depth) -> Res
         let irregular = functional.gaps.is_some() || functional.irregular.is_some();
         match request.form {
             Err(why) => Err(Refusal::Unfit(why.to_owned(), None)),
+            Ok(_) if !functional.longer.is_empty() => {
+                Err(Refusal::Unfit("several windows share one buffer of samples".into(), None))
+            }
             Ok(_) if curves => Err(Refusal::Unfit("its copies take straight lines between samples".into(), None)),
             Ok(_) if irregular => Err(Refusal::Unfit("measurements come at irregular times".into(), None)),
             Ok(form) => Ok(form),

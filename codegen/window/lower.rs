@@ -21,6 +21,7 @@ pub(crate) mod report;
 pub(crate) mod sample;
 mod sums;
 mod two_level;
+mod windows;
 
 use crate::design::Settled;
 use crate::diagnostic::Diagnostic;
@@ -112,6 +113,10 @@ impl<'a> Lowering<'a> {
             return;
         }
         let estimate = self.estimate(&sampled, before, count);
+        if !self.functional.longer.is_empty() {
+            self.windows(&estimate, &sampled, count);
+            return;
+        }
         self.look_ahead(&estimate, &sampled);
         self.builder.section("the estimate; until the window is full, the start");
         let known = self.counted(count, self.window());
@@ -123,13 +128,20 @@ impl<'a> Lowering<'a> {
     fn estimate(&mut self, sampled: &Sampled, before: Value, count: Value) -> Vec<Value> {
         match &self.functional.way {
             Way::Fir => {
-                let kept = (self.cells.outputs.as_slice(), self.cells.signals.as_slice());
-                sums::estimate(&mut self.builder, self.plant, self.functional, kept, sampled.newest)
+                self.builder.section("the sums over the window, newest sample first");
+                self.summed(self.functional, sampled)
             }
             Way::TwoLevel(two) => self.two_level(two, sampled),
             Way::PingPong(pair) => self.ping_pong(pair, sampled, count),
             Way::Recursive(recursive) => self.recursive(recursive, sampled, before, count),
         }
+    }
+
+    /// The estimate of each state by one sum over a window.
+    fn summed(&mut self, functional: &Functional, sampled: &Sampled) -> Vec<Value> {
+        let kept = (self.cells.outputs.as_slice(), self.cells.signals.as_slice());
+        let place = (sampled.newest, kept_len(self.functional));
+        sums::estimate(&mut self.builder, self.plant, functional, kept, place)
     }
 
     /// Whether this call's samples are the first of a window.
@@ -138,9 +150,14 @@ impl<'a> Lowering<'a> {
         self.builder.index_less(count, two)
     }
 
-    /// N+1.
+    /// N+1, of the shortest window.
     pub(crate) fn window(&self) -> u32 {
         window_len(self.functional)
+    }
+
+    /// Samples that the rings hold.
+    fn kept(&self) -> u32 {
+        kept_len(self.functional)
     }
 
     fn add_product(&mut self, sum: Value, weight: Value, value: Value) -> Value {
@@ -171,6 +188,11 @@ impl<'a> Lowering<'a> {
 /// N+1.
 pub(crate) fn window_len(functional: &Functional) -> u32 {
     u32::try_from(functional.steps + 1).unwrap_or_else(|_| unreachable!("the window's length is bounded"))
+}
+
+/// Samples that the rings hold: N+1 of the longest window.
+pub(crate) fn kept_len(functional: &Functional) -> u32 {
+    index(functional.longest() + 1)
 }
 
 /// Samples that a late output's predictions wait for.

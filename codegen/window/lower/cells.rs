@@ -7,7 +7,7 @@ use crate::program::{CellId, Value};
 use super::super::Functional;
 use super::count::longest_count;
 use super::irregular::Memory;
-use super::{injections, late_len, window_len};
+use super::{injections, kept_len, late_len};
 
 /// What is kept of a sampled signal.
 #[derive(Clone, Copy, Debug)]
@@ -74,7 +74,7 @@ pub(crate) struct Cells {
 
 /// Declares the cells; those that nothing reads are left out of the Program.
 pub(super) fn declare(builder: &mut Builder, plant: &Plant, functional: &Functional) -> Cells {
-    let window = window_len(functional);
+    let window = kept_len(functional);
     let scalar = plant.scalar;
     let stores = functional.way.stores_window();
     let outputs = plant.outputs.iter().enumerate().map(|(o, output)| {

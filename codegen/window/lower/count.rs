@@ -3,7 +3,7 @@
 use crate::program::Value;
 
 use super::super::Functional;
-use super::{Lowering, Sampled, late_len, window_len};
+use super::{Lowering, Sampled, kept_len, late_len, window_len};
 
 impl Lowering<'_> {
     /// Good samples in a row before and now, or how the window starts again.
@@ -37,9 +37,9 @@ impl Lowering<'_> {
         self.builder.and(full, found)
     }
 
-    /// Calls until no replaced sample is in the window.
+    /// Calls until no replaced sample is in the longest window.
     fn coast(&mut self, sampled: &Sampled) {
-        let window = self.window();
+        let window = self.kept();
         let before = self.builder.read(self.cells.coasting);
         let mut coasting = self.builder.count_down(before);
         let interval = self.builder.index(window - 1);
@@ -59,10 +59,10 @@ impl Lowering<'_> {
     }
 }
 
-/// Where the count ends: at a full window, or where every late output has a prediction.
+/// Where the count ends: at a full window, the longest, or where every late output has a prediction.
 pub(super) fn longest_count(functional: &Functional) -> u32 {
     let latest = (0..functional.delays.len()).map(|o| late_len(functional, o)).max().unwrap_or(0);
-    let full = window_len(functional) - 1 + latest.max(1);
+    let full = kept_len(functional) - 1 + latest.max(1);
     full.max(settled(functional))
 }
 

@@ -74,12 +74,13 @@ impl Guard {
 
 /// Refuses weights that the target's floats cannot hold: beyond their range, or all of a column below it.
 fn refuse_lost_weights(plant: &Plant, functional: &Functional) -> Result<(), Vec<Diagnostic>> {
-    let columns = functional.outputs.iter().chain(&functional.knowns).flat_map(|w| w.columns.iter().flatten());
+    let weights = functional.windows().flat_map(|window| window.outputs.iter().chain(&window.knowns));
+    let columns = weights.flat_map(|w| w.columns.iter().flatten());
     let smallest = match plant.scalar {
         Scalar::F32 => f64::from(f32::MIN_POSITIVE),
         Scalar::F64 => f64::MIN_POSITIVE,
     };
-    let mut all: Vec<Settled> = functional.constant.clone();
+    let mut all: Vec<Settled> = functional.windows().flat_map(|window| window.constant.clone()).collect();
     let of_way = functional.way.columns();
     for column in columns.chain(&of_way) {
         all.extend(column);
@@ -122,10 +123,11 @@ fn output_range(plant: &Plant, output: &crate::plant::Output, bound: f64, found:
 /// The largest sum of magnitudes in a step, for samples of magnitude 1; at least 1.
 fn largest_gain(plant: &Plant, functional: &Functional) -> f64 {
     let size = |value: &Option<Settled>| value.map_or(0.0, |v| v.double.abs());
-    let state = |i: usize| -> f64 {
-        let weights = functional.outputs.iter().chain(&functional.knowns);
-        weights.map(|w| w.l1(i)).sum::<f64>() + functional.constant[i].double.abs()
+    let one = |window: &Functional, i: usize| -> f64 {
+        let weights = window.outputs.iter().chain(&window.knowns);
+        weights.map(|w| w.l1(i)).sum::<f64>() + window.constant[i].double.abs()
     };
+    let state = |i: usize| functional.windows().map(|window| one(window, i)).fold(0.0, f64::max);
     let mut states: Vec<f64> = (0..plant.states.len()).map(state).collect();
     // Whatever else the way adds up on its way to a state, cells included.
     let of_way = functional.way.load().map_or(0.0, |load| load.gain);

@@ -56,14 +56,32 @@ impl Lowering<'_> {
 
     /// The estimate where it is known, else the start; and how far it can be trusted.
     pub(crate) fn report(&mut self, estimate: &[Value], sampled: &Sampled, standing: &Standing) {
+        self.show(estimate, sampled, standing.known, "");
+        self.stand(standing);
+    }
+
+    /// Estimates under the states' names, with something behind them; where they are not known, the start.
+    pub(super) fn show(&mut self, estimate: &[Value], sampled: &Sampled, known: Value, behind: &str) {
         for (i, state) in self.plant.states.iter().enumerate() {
             let start = start(&mut self.builder, self.plant, i, &sampled.outputs);
-            let value = self.builder.select(standing.known, estimate[i], start);
-            self.builder.estimate(field(&state.label.name, &state.label.unit, &state.label.doc), value);
+            let value = self.builder.select(known, estimate[i], start);
+            let name = format!("{}{behind}", state.label.name);
+            self.builder.estimate(field(&name, &state.label.unit, &state.label.doc), value);
         }
+    }
+
+    /// The status.
+    pub(super) fn stand(&mut self, standing: &Standing) {
         let coasting = self.replaced.unwrap_or_else(|| self.builder.read(self.cells.coasting));
-        let none = self.builder.index(0);
-        let mut clean = self.builder.index_equal(coasting, none);
+        // A replaced sample leaves the shortest window first; the count is of the longest.
+        let longer = self.kept() - self.window();
+        let mut clean = if longer == 0 {
+            let none = self.builder.index(0);
+            self.builder.index_equal(coasting, none)
+        } else {
+            let left = self.builder.index(longer + 1);
+            self.builder.index_less(coasting, left)
+        };
         if let Some(renewed) = standing.renewed {
             clean = self.builder.and(renewed, clean);
         }

@@ -23,7 +23,7 @@ struct Signals<'a> {
 impl<'a> Lowering<'a> {
     /// Reads, guards, predicts and evaluates.
     pub(crate) fn sample(&mut self) -> Sampled {
-        let window = self.window();
+        let window = self.kept();
         self.builder.section("samples: outside its range, infinite or NaN means missing");
         let before = self.builder.read(self.cells.newest);
         let before = self.builder.at_most(before, window - 1);

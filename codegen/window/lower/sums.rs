@@ -14,7 +14,6 @@ use crate::program::builder::Builder;
 
 use super::super::{Functional, Weights};
 use super::cells::Kept;
-use super::window_len;
 
 /// Ages from which on a loop is shorter than its contents.
 const SHORTEST_LOOP: usize = 8;
@@ -31,22 +30,20 @@ struct Track<'a> {
 /// Running sums by state and, where there are few, by track.
 type Sums = BTreeMap<(usize, usize), Value>;
 
-/// The estimate of each state from the whole window.
+/// The estimate of each state from the whole window; rings of `len` samples hold it, or more than it.
 pub fn estimate(
     b: &mut Builder,
     plant: &Plant,
     functional: &Functional,
     (outputs, signals): (&[Kept], &[Kept]),
-    newest: Value,
+    (newest, len): (Value, u32),
 ) -> Vec<Value> {
-    b.section("the sums over the window, newest sample first");
     let measured = plant.outputs.iter().zip(&functional.outputs).zip(outputs);
     let known = functional.signals.iter().zip(&functional.knowns).zip(signals);
     let tracks: Vec<Track> = measured
         .map(|((output, weights), kept)| Track { name: output.label.name.clone(), kept: *kept, weights })
         .chain(known.map(|((signal, weights), kept)| Track { name: signal.text.clone(), kept: *kept, weights }))
         .collect();
-    let len = window_len(functional);
     let apart = pairs(&tracks) <= MOST_SUMS;
     let loops = if apart { 1 } else { tracks.len().max(1) };
     let mut sums = Sums::new();
@@ -93,7 +90,7 @@ struct Window<'a> {
     /// Whether each track has sums of its own.
     apart: bool,
     sums: Sums,
-    /// Ring length, N+1.
+    /// Ring length.
     len: u32,
     /// Slot of the age that comes next.
     slot: Value,
