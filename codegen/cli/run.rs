@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 use clap::Args;
 use deadbeat_codegen::Generated;
 use deadbeat_codegen::plant::Plant;
-use deadbeat_codegen::program::{Scalar, Status};
+use deadbeat_codegen::program::{Program, Scalar, Status};
 use serde_json::{Map, Value, json};
 
 use super::figure::Curves;
@@ -246,8 +246,13 @@ impl Estimate {
         };
         let names: Vec<&str> = program.estimates.iter().map(|(field, _)| field.name.as_str()).collect();
         let line = format!("t,{},status\n", names.join(","));
-        let mut estimate =
-            Self { path: path.to_owned(), part, file: BufWriter::new(file), line, single: program.scalar == Scalar::F32 };
+        let mut estimate = Self {
+            path: path.to_owned(),
+            part,
+            file: BufWriter::new(file),
+            line,
+            single: program.scalar == Scalar::F32,
+        };
         estimate.flush_line()?;
         Ok(estimate)
     }

@@ -129,6 +129,7 @@ impl Keyed for Keys {
         let (wanted, span) = (self.wanted, self.wanted_span.clone());
         let Realized { functional, certificate, name, realizations, notes } =
             realize(plant, Request { functional, exact: &exact, form, wanted, span })?;
+        let notes = notes.into_iter().chain(several::note(&all)).collect();
         Ok(Design {
             method: METHOD.name,
             realization: name,

@@ -79,6 +79,14 @@ pub(super) fn longer(
     Ok(Longer { functional, certificate })
 }
 
+/// From when on the longer windows' estimates are their own.
+pub(super) fn note(all: &[usize]) -> Option<String> {
+    let longer = all.iter().enumerate().skip(1);
+    let calls: Vec<String> =
+        longer.map(|(place, steps)| format!("those of window {} from call {}", place + 1, steps + 1)).collect();
+    (!calls.is_empty()).then(|| format!("{}, until then as the next shorter one", calls.join(", ")))
+}
+
 /// `11, 31 and 101 samples (0.01 s, 0.03 s, 0.1 s)`.
 pub(super) fn lengths(all: &[usize], h: f64) -> String {
     let samples: Vec<String> = all.iter().map(|steps| (steps + 1).to_string()).collect();
