@@ -6,6 +6,7 @@ use crate::program::builder::Builder;
 use crate::program::{Status, Value};
 
 use super::super::Part;
+use super::injections::Injections;
 use super::{Lowering, Sampled, field, injections, late_len};
 
 /// How far an estimate can be trusted.
@@ -62,9 +63,16 @@ impl Lowering<'_> {
 
     /// Estimates under the states' names, with something behind them; where they are not known, the start.
     pub(super) fn show(&mut self, estimate: &[Value], sampled: &Sampled, known: Value, behind: &str) {
-        for (i, state) in self.plant.states.iter().enumerate() {
+        let mut answer = Vec::new();
+        for (i, estimate) in estimate.iter().enumerate() {
             let start = start(&mut self.builder, self.plant, i, &sampled.outputs);
-            let value = self.builder.select(known, estimate[i], start);
+            answer.push(self.builder.select(known, *estimate, start));
+        }
+        if let Some(ahead) = self.ahead {
+            let injections = Injections::new(self.plant, self.cells.calls, sampled.inputs.clone());
+            answer = ahead.moved(&mut self.builder, self.plant, &answer, &injections, &sampled.outputs);
+        }
+        for (state, value) in self.plant.states.iter().zip(answer) {
             let name = format!("{}{behind}", state.label.name);
             self.builder.estimate(field(&name, &state.label.unit, &state.label.doc), value);
         }

@@ -1,6 +1,7 @@
 //! The first half of a step: reads the samples, guards them, predicts those that are missing, and
 //! evaluates the injections.
 
+use crate::front;
 use crate::plant::Hold;
 use crate::program::builder::Builder;
 use crate::program::{CellId, Value};
@@ -30,8 +31,10 @@ impl<'a> Lowering<'a> {
         let count = self.builder.read(self.cells.count);
         let converged = self.had_converged(count, 1);
         let outputs = self.plant.outputs.len();
-        let (measured, good): (Vec<Value>, Vec<Value>) = (0..outputs).map(|o| self.read_output(o)).unzip();
+        let read = (0..outputs).map(|o| self.read_output(o)).collect();
         let mut signals = self.read_signals(before);
+        let (measured, good): (Vec<Value>, Vec<Value>) =
+            self.without_inputs(read, &signals.injections.inputs).into_iter().unzip();
 
         self.builder.section("prediction, for a sample that is missing");
         let newest = self.builder.advance(before, window);
@@ -86,6 +89,7 @@ impl<'a> Lowering<'a> {
             lost,
             outputs: stored,
             signals: values,
+            inputs: signals.injections.inputs,
             present: Vec::new(),
         }
     }
@@ -96,8 +100,9 @@ impl<'a> Lowering<'a> {
         self.builder.section("samples: outside its range, infinite or NaN means missing");
         let before = self.builder.read(self.cells.newest);
         let before = self.builder.at_most(before, window - 1);
-        let read: Vec<(Value, Value)> = (0..self.plant.outputs.len()).map(|o| self.read_output(o)).collect();
+        let read = (0..self.plant.outputs.len()).map(|o| self.read_output(o)).collect();
         let mut signals = self.read_signals(before);
+        let read = self.without_inputs(read, &signals.injections.inputs);
         let newest = self.builder.advance(before, window);
         let (zero, one) = (self.builder.float(0.0), self.builder.float(1.0));
         let all_kept = self.cells.outputs.clone();
@@ -119,7 +124,18 @@ impl<'a> Lowering<'a> {
         let of_now: Vec<Value> = expected.into_iter().chain(signals.now).collect();
         let (interval_good, newest_good) = (all(&mut self.builder, &signals.since), all(&mut self.builder, &of_now));
         let late = Vec::new();
-        Sampled { newest, samples_good, interval_good, newest_good, late, lost, outputs, signals: values, present }
+        Sampled {
+            newest,
+            samples_good,
+            interval_good,
+            newest_good,
+            late,
+            lost,
+            outputs,
+            signals: values,
+            inputs: signals.injections.inputs,
+            present,
+        }
     }
 
     /// Whether each sample is good, or missing as measurements at irregular times are.
@@ -144,10 +160,16 @@ impl<'a> Lowering<'a> {
         expected
     }
 
+    /// A sample, with its inputs still in it.
     fn read_output(&mut self, output: usize) -> (Value, Value) {
-        let value = self.builder.read_measurement(place(output));
-        let (low, high) = self.guard.outputs[output];
-        (value, self.builder.in_range(value, low, high))
+        front::read(&mut self.builder, self.plant, output, self.guard.outputs[output])
+    }
+
+    /// Samples without the inputs that they have in them.
+    fn without_inputs(&mut self, samples: Vec<(Value, Value)>, inputs: &[Value]) -> Vec<(Value, Value)> {
+        let (b, plant, ranges) = (&mut self.builder, self.plant, &self.guard.outputs);
+        let each = samples.into_iter().zip(ranges).enumerate();
+        each.map(|(o, (sample, range))| front::without_inputs(b, plant, o, sample, inputs, *range)).collect()
     }
 
     /// The inputs, with the last good value in place of a bad one.
