@@ -24,8 +24,9 @@ mod several;
 use std::ops::Range;
 use std::sync::Arc;
 
-use super::{Keyed, Method};
+use super::{Cannot, Feature, Keyed, Method, NOT_YET};
 use crate::decimal::show;
+use crate::describe::short;
 use crate::design::{Convergence, Design, Fir, NamedMatrix, Shape};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::expr::List;
@@ -103,6 +104,13 @@ pub(super) const VERDICT_BITS: usize = 256;
 const VERDICTS: [usize; 3] = [VERDICT_BITS, 1_024, 4_096];
 
 impl Keyed for Keys {
+    fn cannot(&self, feature: Feature, _plant: &Plant) -> Option<Cannot> {
+        match feature {
+            Feature::Wrap | Feature::Gate | Feature::Ahead => None,
+            _ => Some(NOT_YET),
+        }
+    }
+
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {
         let mut found = refuse_unknowns(plant, METHOD.name);
         let all = several::steps(plant, &self.windows, &mut found);
@@ -129,7 +137,7 @@ impl Keyed for Keys {
         let (wanted, span) = (self.wanted, self.wanted_span.clone());
         let Realized { functional, certificate, name, realizations, notes } =
             realize(plant, Request { functional, exact: &exact, form, wanted, span })?;
-        let notes = notes.into_iter().chain(several::note(&all)).collect();
+        let notes = notes.into_iter().chain(several::note(&all)).chain(sensor_notes(plant, steps)).collect();
         Ok(Design {
             method: METHOD.name,
             realization: name,
@@ -186,6 +194,26 @@ impl Keys {
             _ => format!("{what} over the last {samples} samples ({seconds} s at {h} s)"),
         }
     }
+}
+
+/// What the header says of outputs that wrap, and of those with a gate.
+pub(super) fn sensor_notes(plant: &Plant, steps: usize) -> Vec<String> {
+    let number = |constant: &crate::expr::Constant| short(constant.to_f64().unwrap_or(f64::NAN));
+    let mut notes = Vec::new();
+    for output in &plant.outputs {
+        let (name, unit) = (&output.label.name, &output.label.unit);
+        let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
+        if let Some(wrap) = &output.wrap {
+            let turn = number(&wrap.turn);
+            notes.push(format!("{name} wraps every {turn}{unit}: sums are of differences to the newest sample"));
+        }
+        if let Some(gate) = &output.gate {
+            let (size, limit) = (number(&gate.size), gate.limit.map_or(steps, |limit| limit as usize));
+            notes.push(format!("once converged, {name} further than {size}{unit} from its prediction is missing;"));
+            notes.push(format!("after {limit} such samples in a row the observer starts again with the last of them"));
+        }
+    }
+    notes
 }
 
 /// How nonlinear terms run between samples, with the key's place.

@@ -10,6 +10,7 @@
 pub(crate) mod cells;
 mod copies;
 mod count;
+mod gate;
 pub(crate) mod guard;
 pub(crate) mod injections;
 mod irregular;
@@ -36,6 +37,7 @@ use count::settled;
 use guard::{Growth, Guard};
 use predict::Unknowns;
 pub(crate) use report::Standing;
+use sums::Anchor;
 
 /// Lowers a functional for its plant; constants that the target's floats cannot hold are reported.
 pub fn lower(plant: &Plant, functional: &Functional, ahead: Option<&Ahead>) -> Result<Program, Vec<Diagnostic>> {
@@ -61,6 +63,8 @@ pub(crate) struct Sampled {
     late: Vec<(usize, Value)>,
     /// Whether a missing sample had no prediction.
     lost: Value,
+    /// Whether so many samples were not believed that the window starts again with those of now; where that can be.
+    again: Option<Value>,
     /// Per output: what enters the window.
     outputs: Vec<Value>,
     /// Per signal: what enters the window.
@@ -118,6 +122,7 @@ impl<'a> Lowering<'a> {
             self.report(&answer.estimate, &sampled, &Standing { known, determined: known, renewed });
             return;
         }
+        // Of outputs that wrap, less their newest sample.
         let estimate = self.estimate(&sampled, before, count);
         if !self.functional.longer.is_empty() {
             self.windows(&estimate, &sampled, count);
@@ -125,6 +130,7 @@ impl<'a> Lowering<'a> {
         }
         self.look_ahead(&estimate, &sampled);
         self.builder.section("the estimate; until the window is full, the start");
+        let estimate = self.at_the_newest(&estimate, &sampled);
         let known = self.counted(count, self.window());
         let determined = self.counted(count, settled(self.functional));
         self.report(&estimate, &sampled, &Standing { known, determined, renewed: None });
@@ -146,8 +152,27 @@ impl<'a> Lowering<'a> {
     /// The estimate of each state by one sum over a window.
     fn summed(&mut self, functional: &Functional, sampled: &Sampled) -> Vec<Value> {
         let kept = (self.cells.outputs.as_slice(), self.cells.signals.as_slice());
+        let anchors: Vec<Option<Anchor>> = (self.plant.outputs.iter().zip(&sampled.outputs))
+            .map(|(output, newest)| {
+                let turn = injections::round(&output.wrap.as_ref()?.turn, self.plant.scalar);
+                Some(Anchor { newest: *newest, turn })
+            })
+            .collect();
         let place = (sampled.newest, kept_len(self.functional));
-        sums::estimate(&mut self.builder, self.plant, functional, kept, place)
+        sums::estimate(&mut self.builder, self.plant, functional, kept, &anchors, place)
+    }
+
+    /// The estimate from its sums: with the newest samples of outputs that wrap, each in the direction of its turn.
+    fn at_the_newest(&mut self, estimate: &[Value], sampled: &Sampled) -> Vec<Value> {
+        let mut moved = estimate.to_vec();
+        for (output, newest) in self.plant.outputs.iter().zip(&sampled.outputs) {
+            let Some(wrap) = &output.wrap else { continue };
+            for (value, direction) in moved.iter_mut().zip(&wrap.direction).filter(|(_, s)| !s.is_zero()) {
+                let direction = self.builder.float(injections::round(direction, self.plant.scalar));
+                *value = self.add_product(*value, direction, *newest);
+            }
+        }
+        moved
     }
 
     /// Whether this call's samples are the first of a window.

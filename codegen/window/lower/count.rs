@@ -10,11 +10,17 @@ impl Lowering<'_> {
     pub(crate) fn count(&mut self, sampled: &Sampled) -> (Value, Value) {
         self.builder.section("how much of the window is good");
         let before = self.builder.read(self.cells.count);
-        let converged = self.had_converged(before, 1);
+        let mut converged = self.had_converged(before, 1);
+        let mut interval_good = sampled.interval_good;
+        if let Some(again) = sampled.again {
+            let goes_on = self.builder.not(again);
+            converged = self.builder.and(converged, goes_on);
+            interval_good = self.builder.and(interval_good, goes_on);
+        }
         let (none, one) = (self.builder.index(0), self.builder.index(1));
         let more = self.builder.count_up(before, longest_count(self.functional));
         let kept = self.builder.select(sampled.lost, none, more);
-        let grown = self.builder.select(sampled.interval_good, more, one);
+        let grown = self.builder.select(interval_good, more, one);
         let growing = self.builder.select(sampled.samples_good, grown, none);
         let count = self.builder.select(converged, kept, growing);
         self.builder.set(self.cells.count, count);

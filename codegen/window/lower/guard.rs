@@ -110,8 +110,12 @@ pub(crate) fn lost(plant: &Plant, what: &str, weight: f64) -> Diagnostic {
 }
 
 fn output_range(plant: &Plant, output: &Output, bound: f64, found: &mut Vec<Diagnostic>) -> (f64, f64) {
-    let Some((low, high)) = &output.range else { return (-bound, bound) };
-    let (low, high) = (round(low, plant.scalar), round(high, plant.scalar));
+    let (low, high) = match (&output.wrap, &output.range) {
+        // What is folded is within half a turn, but for rounding; the declared range is of the sample before that.
+        (Some(wrap), _) => (-round(&wrap.turn, plant.scalar), round(&wrap.turn, plant.scalar)),
+        (None, Some((low, high))) => (round(low, plant.scalar), round(high, plant.scalar)),
+        (None, None) => return (-bound, bound),
+    };
     if !(low >= -bound && high <= bound) {
         let message = format!("the range of `{}` is wider than can be computed with", output.label.name);
         let error = Diagnostic::error(codes::OUT_OF_RANGE, output.range_span.clone(), message);
@@ -135,7 +139,9 @@ fn largest_gain(plant: &Plant, functional: &Functional) -> f64 {
     let size = |value: &Option<Settled>| value.map_or(0.0, |v| v.double.abs());
     let one = |window: &Functional, i: usize| -> f64 {
         let weights = window.outputs.iter().chain(&window.knowns);
-        weights.map(|w| w.l1(i)).sum::<f64>() + window.constant[i].double.abs()
+        let turns = plant.outputs.iter().flat_map(|output| &output.wrap).map(|wrap| wrap.direction[i].to_f64());
+        let newest: f64 = turns.map(|s| s.unwrap_or(0.0).abs()).sum();
+        weights.map(|w| w.l1(i)).sum::<f64>() + window.constant[i].double.abs() + newest
     };
     let state = |i: usize| functional.windows().map(|window| one(window, i)).fold(0.0, f64::max);
     let mut states: Vec<f64> = (0..plant.states.len()).map(state).collect();

@@ -21,6 +21,9 @@ pub(crate) struct Standing {
 
 impl Lowering<'_> {
     /// Keeps what the next prediction needs.
+    ///
+    /// The estimate is less the newest samples of outputs that wrap. That moves no other output; of the output itself
+    /// it leaves how far it will move, and for a late one, whose sample comes later, its newest sample is added.
     pub(crate) fn look_ahead(&mut self, estimate: &[Value], sampled: &Sampled) {
         self.builder.section("the next measurement, as far as it is known");
         for o in 0..self.plant.outputs.len() {
@@ -41,8 +44,11 @@ impl Lowering<'_> {
             if prediction.constant != Settled::default() {
                 terms.push(self.constant(prediction.constant));
             }
-            let sum = self.builder.sum(&terms);
+            let mut sum = self.builder.sum(&terms);
             if let Some(slot) = self.cells.late[o] {
+                if self.plant.outputs[o].wrap.is_some() {
+                    sum = self.builder.add(sum, sampled.outputs[o]);
+                }
                 let len = late_len(self.functional, o);
                 let before = self.builder.read(slot);
                 let before = self.builder.at_most(before, len - 1);
