@@ -19,6 +19,8 @@
 //! An injection that depends on a held input is evaluated at both ends of each interval with that
 //! interval's input, so that a jump of the input costs nothing.
 
+mod left_out;
+
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -32,6 +34,7 @@ use crate::program::Scalar;
 use crate::real::{Matrix, Precision, Real, equilibrated_columns, rank, singular_values};
 use crate::spec::Quantity;
 use crate::spec::reader::Table;
+use crate::window::irregular::Pattern;
 use crate::window::minimax::best_rows;
 use crate::window::model::{Between, Model, signals_between};
 use crate::window::realize::{
@@ -40,6 +43,7 @@ use crate::window::realize::{
 use crate::window::settle::settle;
 use crate::window::solve::{Choice, observability, output_powers, trusted};
 use crate::window::{Functional, Part, Signal, Way, count, refuse_much_work, seconds, trimmed, whole_samples};
+use left_out::Missing;
 
 /// The registry's entry.
 pub const METHOD: Method = Method {
@@ -54,6 +58,11 @@ pub const METHOD: Method = Method {
             "\"equal\" | \"minimax\"",
             "least squares, or the smallest worst-case noise gain (quantised signals)",
         ),
+        (
+            "missing",
+            "\"predicted\" | \"left-out\"",
+            "the model's prediction stands in for a missing sample (default), or the step solves for those that are there",
+        ),
         ("realization", REALIZATION_CHOICES, "how the step computes it"),
     ],
     realizations: &REALIZATIONS,
@@ -66,7 +75,9 @@ pub const METHOD: Method = Method {
 struct Keys {
     window: Quantity,
     weighting: Weighting,
+    weights_span: Range<usize>,
     hold: (Between, Range<usize>),
+    missing: (Missing, Range<usize>),
     wanted: Wanted,
     wanted_span: Range<usize>,
 }
@@ -87,11 +98,14 @@ fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
         );
     }
     let words = [("equal", Weighting::Equal), ("minimax", Weighting::Minimax)];
+    let weights_span = table.key_span("weights");
     let weighting = table.choice("weights", &words, Weighting::Equal);
     let hold = read_hold(table);
+    let missing_span = table.key_span("missing");
+    let missing = (table.choice("missing", &left_out::WORDS, Missing::Predicted), missing_span);
     let wanted_span = table.key_span("realization");
     let wanted = table.choice("realization", &WORDS, Wanted::Auto);
-    Some(Arc::new(Keys { window: window?, weighting, hold, wanted, wanted_span }))
+    Some(Arc::new(Keys { window: window?, weighting, weights_span, hold, missing, wanted, wanted_span }))
 }
 
 /// Bits at which observability is judged; a tolerance of half of them is far from any rounding.
@@ -114,6 +128,10 @@ impl Keyed for Keys {
             return Err(found);
         }
         let condition = verdict(plant, &delays, steps, &span)?;
+        if self.missing.0 == Missing::LeftOut {
+            let pattern = Pattern::new(vec![1; plant.outputs.len()], delays);
+            return self.left_out(plant, &signals, steps, pattern, condition);
+        }
         let choice = self.choice(plant, &delays, steps)?;
         let (functional, exact, mut numerics) = settle(plant, &signals, &delays, steps, &choice)?;
         numerics.condition = condition;

@@ -20,6 +20,7 @@ mod recursive;
 pub(crate) mod report;
 pub(crate) mod sample;
 mod sums;
+mod there;
 mod two_level;
 
 use crate::design::Settled;
@@ -64,6 +65,8 @@ pub(crate) struct Sampled {
     signals: Vec<Value>,
     /// Per output, where the estimate is of the samples that are there: 1 for a sample, 0 for none.
     present: Vec<Value>,
+    /// Likewise: the slot of the time that a sample shows.
+    slots: Vec<Value>,
 }
 
 /// A step being written.
@@ -152,12 +155,18 @@ impl<'a> Lowering<'a> {
     pub(crate) fn store(&mut self, sampled: &Sampled) {
         self.builder.section("into the window");
         self.builder.set(self.cells.newest, sampled.newest);
-        for (kept, value) in self.cells.outputs.iter().zip(&sampled.outputs) {
-            kept.write(&mut self.builder, sampled.newest, *value);
+        for (o, (kept, value)) in self.cells.outputs.iter().zip(&sampled.outputs).enumerate() {
+            let slot = sampled.slots.get(o).copied().unwrap_or(sampled.newest);
+            kept.write(&mut self.builder, slot, *value);
         }
         let present = self.cells.memory.as_ref().map(|memory| memory.present.as_slice()).unwrap_or_default();
-        for (ring, value) in present.iter().zip(&sampled.present) {
-            self.builder.set_ring(*ring, sampled.newest, *value);
+        for ((ring, value), slot) in present.iter().zip(&sampled.present).zip(&sampled.slots) {
+            if *slot != sampled.newest {
+                // The sample of now comes later.
+                let none = self.builder.float(0.0);
+                self.builder.set_ring(*ring, sampled.newest, none);
+            }
+            self.builder.set_ring(*ring, *slot, *value);
         }
         for (kept, value) in self.cells.signals.iter().zip(&sampled.signals) {
             kept.write(&mut self.builder, sampled.newest, *value);

@@ -21,6 +21,8 @@ pub(super) struct Memory {
     pub(super) next: Vec<CellId>,
     /// Whether that prediction comes from an estimate.
     pub(super) known: CellId,
+    /// Per late output: the slot of the time that its newest sample shows.
+    pub(super) late: Vec<Option<CellId>>,
 }
 
 /// What one pass carries.
@@ -108,26 +110,62 @@ impl Pass<'_> {
         carried
     }
 
-    /// A row of a matrix times values.
     fn row(&self, b: &mut Builder, matrix: &Sparse, i: usize, values: &[Value]) -> Value {
-        let mut terms = Vec::new();
-        for (weight, value) in matrix[i].iter().zip(values) {
-            if let Some(weight) = weight {
-                let weight = b.float(weight.value(self.scalar));
-                terms.push(b.mul(weight, *value));
-            }
-        }
-        b.sum(&terms)
+        row(b, self.scalar, matrix, i, values)
     }
 
-    /// What signals do to a state; `None` where nothing acts.
     fn column(&self, b: &mut Builder, effects: &Sparse, i: usize, values: &[Value]) -> Option<Value> {
-        let column: Sparse = vec![effects.iter().map(|effect| effect[i]).collect()];
-        column[0].iter().any(Option::is_some).then(|| self.row(b, &column, 0, values))
+        column(b, self.scalar, effects, i, values)
     }
 }
 
+/// A row of a matrix times values.
+fn row(b: &mut Builder, scalar: Scalar, matrix: &Sparse, i: usize, values: &[Value]) -> Value {
+    let mut terms = Vec::new();
+    for (weight, value) in matrix[i].iter().zip(values) {
+        if let Some(weight) = weight {
+            let weight = b.float(weight.value(scalar));
+            terms.push(b.mul(weight, *value));
+        }
+    }
+    b.sum(&terms)
+}
+
+/// What signals do to a state; `None` where nothing acts.
+fn column(b: &mut Builder, scalar: Scalar, effects: &Sparse, i: usize, values: &[Value]) -> Option<Value> {
+    let column: Sparse = vec![effects.iter().map(|effect| effect[i]).collect()];
+    column[0].iter().any(Option::is_some).then(|| row(b, scalar, &column, 0, values))
+}
+
+/// A state as the model predicts it, from the part that the last call knew and the signals of this one.
+fn predicted(
+    b: &mut Builder,
+    irregular: &Irregular,
+    scalar: Scalar,
+    next: CellId,
+    i: usize,
+    signals: &[Value],
+) -> Value {
+    let begun = b.read(next);
+    let ended = column(b, scalar, &irregular.end, i, signals);
+    ended.map_or(begun, |ended| b.add(begun, ended))
+}
+
 impl Lowering<'_> {
+    /// The state as the model predicts it, with the signals of this call.
+    pub(super) fn predicted_state(&mut self, signals: &[Value]) -> Vec<Value> {
+        let Some(irregular) = &self.functional.irregular else { return Vec::new() };
+        let (scalar, next) = (self.plant.scalar, self.memory().next.clone());
+        let b = &mut self.builder;
+        next.iter().enumerate().map(|(i, next)| predicted(b, irregular, scalar, *next, i, signals)).collect()
+    }
+
+    /// What an output shows of a state.
+    pub(super) fn shown(&mut self, output: usize, state: &[Value]) -> Value {
+        let Some(irregular) = &self.functional.irregular else { unreachable!("asked for by the solve") };
+        row(&mut self.builder, self.plant.scalar, &irregular.c, output, state)
+    }
+
     /// The estimate, and whether it comes from samples, or at least from the model.
     pub(super) fn irregular(&mut self, irregular: &Irregular, sampled: &Sampled, full: Value) -> Irregularly {
         let (outputs, signals) = (self.cells.outputs.clone(), self.cells.signals.clone());
@@ -191,9 +229,7 @@ impl Lowering<'_> {
         let mut usable = b.index_equal(known, one);
         let mut estimate = Vec::new();
         for (i, solved) in solved.into_iter().enumerate() {
-            let begun = b.read(memory.next[i]);
-            let ended = pass.column(b, &irregular.end, i, &sampled.signals);
-            let predicted = ended.map_or(begun, |ended| b.add(begun, ended));
+            let predicted = predicted(b, irregular, pass.scalar, memory.next[i], i, &sampled.signals);
             let sane = b.in_range(predicted, -bound, bound);
             usable = b.and(usable, sane);
             estimate.push(b.select(enough, solved, predicted));
