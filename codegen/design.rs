@@ -4,6 +4,7 @@
 //! 2d digits), a certificate, the arithmetic's own record, and the shape that the step will take.
 //! A Design knows no language.
 
+use crate::ahead::Ahead;
 use crate::corrector::{self, Corrector};
 use crate::diagnostic::Diagnostic;
 use crate::expr::Symbol;
@@ -232,12 +233,12 @@ impl Design {
     }
 
     /// The step as a Program.
-    pub fn lower(&self, plant: &Plant) -> Result<Program, Vec<Diagnostic>> {
+    pub fn lower(&self, plant: &Plant, ahead: Option<&Ahead>) -> Result<Program, Vec<Diagnostic>> {
         match &self.shape {
-            Shape::Window(functional) => window::lower::lower(plant, functional),
+            Shape::Window(functional) => window::lower::lower(plant, functional, ahead),
             Shape::Regression(regression) => regression::lower::lower(plant, regression),
-            Shape::Impulsive(design) => impulsive::lower::lower(plant, design),
-            Shape::Corrector(design) => corrector::lower::lower(plant, design),
+            Shape::Impulsive(design) => impulsive::lower::lower(plant, design, ahead),
+            Shape::Corrector(design) => corrector::lower::lower(plant, design, ahead),
         }
     }
 }

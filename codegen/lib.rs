@@ -7,6 +7,7 @@
 //! Text in, a list of files out; only [`build`], [`Output::write_to`] and [`Output::verify`], the macro and
 //! the command line touch the disk. Start at [`Generator`].
 
+pub mod ahead;
 pub mod corrector;
 pub mod decimal;
 mod dense;
@@ -15,6 +16,7 @@ pub mod design;
 pub mod diagnostic;
 pub mod emit;
 pub mod expr;
+mod front;
 pub mod implicit_euler;
 pub mod impulsive;
 pub mod method;
@@ -34,6 +36,7 @@ pub use diagnostic::{Report, Source};
 pub use output::{Difference, File, Language, Output, write_whole};
 pub use spec::Settings;
 
+use ahead::Ahead;
 use design::Design;
 use method::Moment;
 use plant::Plant;
@@ -89,8 +92,17 @@ impl Generator {
         let spec = Spec::parse(self.source.clone(), self.settings)?;
         let (plant, mut warnings) = Plant::new(&spec)?;
         let plant = spec.observer.keyed.observed(plant).map_err(report)?;
-        let design = spec.observer.keyed.design(&plant).map_err(report)?;
-        let program = design.lower(&plant).map_err(report)?;
+        let refused = method::features::refused(&plant, spec.observer.keyed.as_ref(), &spec.observer.method.value);
+        if !refused.is_empty() {
+            return Err(report(refused));
+        }
+        let mut design = spec.observer.keyed.design(&plant).map_err(report)?;
+        let ahead = Ahead::new(&plant).map_err(report)?;
+        if let Some(ahead) = &ahead {
+            ahead.certify(&plant, &mut design.certificate);
+            design.notes.push(ahead.note());
+        }
+        let program = design.lower(&plant, ahead.as_ref()).map_err(report)?;
         warnings.extend(design.warnings.iter().cloned());
         if let Err(error) = program::check::check(&program) {
             unreachable!("a lowering made an invalid Program: {error}");

@@ -6,6 +6,7 @@
 mod constant;
 pub mod countdown;
 pub mod differentiator;
+pub mod features;
 pub mod fixed_time_linear;
 pub mod high_gain;
 pub mod impulsive;
@@ -27,6 +28,7 @@ use crate::design::{Design, NamedMatrix};
 use crate::diagnostic::Diagnostic;
 use crate::plant::Plant;
 use crate::spec::reader::Table;
+pub use features::{Cannot, Feature};
 
 /// All methods, in the order in which `deadbeat list` shows them.
 pub const METHODS: &[Method] = &[
@@ -83,6 +85,11 @@ pub trait Keyed: Debug + Send + Sync {
         Err("`--at` is for gains that change from step to step, which only `differentiator` and `prescribed-time` \
              have; without it, the design is printed"
             .into())
+    }
+
+    /// Why something that a specification asks for cannot be done for this plant.
+    fn cannot(&self, feature: Feature, _plant: &Plant) -> Option<Cannot> {
+        (feature != Feature::Ahead).then_some(Cannot { why: "it is not built yet", instead: "leave the key out" })
     }
 
     /// Designs the observer for a plant, or says everything that stands against it.

@@ -4,11 +4,14 @@
 //! matrices. Every coefficient is an exact [`Constant`]; a zero is a structural zero.
 
 pub mod combine;
+mod elimination;
 mod expression;
 pub mod measurable;
 pub mod modes;
 mod reading;
+pub mod sensor;
 pub mod split;
+mod turn;
 pub mod words;
 
 use std::collections::BTreeSet;
@@ -21,6 +24,7 @@ pub use crate::spec::Hold;
 use crate::spec::{Quantity, Spec};
 use expression::read_constant;
 use reading::Reading;
+use sensor::{Aged, Counter, Gate, Wrap};
 
 /// Name, unit, documentation and place of something declared.
 #[derive(Clone, Debug)]
@@ -71,16 +75,50 @@ pub struct Input {
 pub struct Output {
     /// What it is called.
     pub label: Label,
-    /// Bound on the noise.
+    /// Bound on what a sample may be off by: the declared noise, half a count, and what it moves in the jitter.
     pub noise: Option<Constant>,
     /// How late it arrives, s; with its place.
     pub delay: Option<(Constant, Range<usize>)>,
-    /// Samples outside are treated as missing.
+    /// Of `C x`: samples outside are treated as missing.
     pub range: Option<(Constant, Constant)>,
+    /// Of the sample as it comes, where that is not `C x`.
+    pub raw_range: Option<(Constant, Constant)>,
     /// Of the range in the file, or of the name.
     pub range_span: Range<usize>,
     /// The right-hand side as the user wrote it; empty for a plant by matrices.
     pub equation: String,
+    /// Per input: what the sample has of it besides `C x`; empty where it has nothing.
+    pub feedthrough: Vec<Constant>,
+    /// What else the sample has besides `C x`.
+    pub offset: Constant,
+    /// The sample may jump by a turn.
+    pub wrap: Option<Wrap>,
+    /// The largest rate, in the unit per second.
+    pub max_rate: Option<Constant>,
+    /// One count, in the unit.
+    pub quantum: Option<Constant>,
+    /// Whether the sensor rounds down.
+    pub floor: bool,
+    /// The integer that the caller hands over.
+    pub counter: Option<Counter>,
+    /// A sample further from its prediction is missing.
+    pub gate: Option<Gate>,
+    /// Measured at every so many steps.
+    pub every: usize,
+    /// Of the key `every` in the file.
+    pub every_span: Range<usize>,
+    /// The caller says how old each sample is.
+    pub aged: Option<Aged>,
+}
+
+impl Output {
+    /// What is added to a sample: half a count where the sensor rounds down, and the constant that the sample has in it,
+    /// taken away.
+    pub fn shift(&self) -> Option<Constant> {
+        let half = self.quantum.as_ref().filter(|_| self.floor).map(sensor::half).transpose().ok().flatten();
+        let half = half.unwrap_or_default();
+        half.minus(&self.offset).ok().filter(|shift| !shift.is_zero())
+    }
 }
 
 /// An unknown constant.
@@ -160,6 +198,14 @@ pub struct Plant {
     pub sample_time: (Constant, Range<usize>),
     /// The float type of the step.
     pub scalar: Scalar,
+    /// By how much later the estimate is for, s; with its place.
+    pub ahead: Option<(Constant, Range<usize>)>,
+    /// By how much the true times of samples may differ from those of calls, s; part of the outputs' noise.
+    pub jitter: Option<Constant>,
+    /// Whether the estimate says how many calls ago a sample was accepted.
+    pub coasted: bool,
+    /// Whether an observer can be started from an estimate.
+    pub init_at: bool,
     /// Of the observer's name in the file, for mistakes of the whole.
     pub span: Range<usize>,
 }

@@ -7,6 +7,7 @@ mod chain;
 mod identifiers;
 mod read;
 pub mod reader;
+pub mod sensor;
 
 use std::cell::RefCell;
 use std::ops::Range;
@@ -19,6 +20,7 @@ use crate::diagnostic::{Report, Source};
 use crate::method::Keyed;
 use crate::program::Scalar;
 use reader::Found;
+use sensor::Sensor;
 
 /// A string with its place in the file.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -111,7 +113,7 @@ pub struct Input {
 pub struct Output {
     /// Name, unit, documentation.
     pub named: Named,
-    /// Linear in the states; absent in a plant by matrices.
+    /// Affine in states and inputs; absent in a plant by matrices.
     pub value: Option<Text>,
     /// Bound on the noise, in the output's unit.
     pub noise: Option<Quantity>,
@@ -119,6 +121,8 @@ pub struct Output {
     pub delay: Option<Quantity>,
     /// Samples outside are treated as missing.
     pub range: Option<(Vec<Quantity>, Range<usize>)>,
+    /// What its sensor is like.
+    pub sensor: Sensor,
 }
 
 /// A bounded unknown signal.
@@ -142,6 +146,8 @@ pub struct Matrices {
     pub b: Option<Rows>,
     /// p x n.
     pub c: Option<Rows>,
+    /// p x m.
+    pub d: Option<Rows>,
     /// Whether they are already discrete.
     pub discrete: bool,
     /// Of the table.
@@ -155,6 +161,23 @@ pub struct Observer {
     pub method: Text,
     /// The method with its keys read.
     pub keyed: Arc<dyn Keyed>,
+    /// By how much later the estimate is for, s.
+    pub ahead: Option<Quantity>,
+}
+
+/// `[target]`.
+#[derive(Clone, Debug)]
+pub struct Target {
+    /// Seconds between two calls.
+    pub sample_time: Quantity,
+    /// The float type of the step.
+    pub scalar: Scalar,
+    /// By how much the true times of samples may differ from those of calls, s.
+    pub jitter: Option<Quantity>,
+    /// Whether the estimate says how many calls ago a sample was accepted.
+    pub coasted: bool,
+    /// Whether an observer can be started from an estimate.
+    pub init_at: bool,
 }
 
 /// What the command line, the macro's arguments and `[target]` can all say.
@@ -212,10 +235,8 @@ pub struct Spec {
     pub matrices: Option<Matrices>,
     /// The method and its keys.
     pub observer: Observer,
-    /// Seconds between two calls.
-    pub sample_time: Quantity,
-    /// The float type of the step.
-    pub scalar: Scalar,
+    /// What it is for.
+    pub target: Target,
 }
 
 impl Spec {

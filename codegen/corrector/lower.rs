@@ -15,12 +15,14 @@
 mod gain;
 mod known;
 
+use crate::ahead::Ahead;
 use crate::design::Settled;
 use crate::diagnostic::Diagnostic;
 use crate::plant::Plant;
 use crate::program::builder::Builder;
 use crate::program::{CellId, Program, Status, Value};
 use crate::window::lower::guard::Guard;
+use crate::window::lower::injections::Injections;
 use crate::window::lower::report::start;
 use crate::window::lower::{field, injections};
 
@@ -30,7 +32,7 @@ use super::{Corrector, Frame, Gain, guard};
 ///
 /// # Errors
 /// What the guard or the injections' constants report.
-pub fn lower(plant: &Plant, design: &Corrector) -> Result<Program, Vec<Diagnostic>> {
+pub fn lower(plant: &Plant, design: &Corrector, ahead: Option<&Ahead>) -> Result<Program, Vec<Diagnostic>> {
     let guard = guard::bound(plant, design)?;
     injections::check(plant)?;
     let mut builder = Builder::new(&plant.name, plant.scalar, injections::round(&plant.sample_time.0, plant.scalar));
@@ -41,7 +43,7 @@ pub fn lower(plant: &Plant, design: &Corrector) -> Result<Program, Vec<Diagnosti
     for input in &plant.inputs {
         builder.input(field(&input.label.name, &input.label.unit, &input.label.doc));
     }
-    let mut lowering = Lowering { plant, design, guard, builder, cells };
+    let mut lowering = Lowering { plant, design, guard, builder, cells, ahead };
     lowering.step();
     Ok(lowering.builder.finish())
 }
@@ -121,6 +123,8 @@ struct Lowering<'a> {
     guard: Guard,
     builder: Builder,
     cells: Cells,
+    /// How the answer is moved.
+    ahead: Option<&'a Ahead>,
 }
 
 /// What is known of a call before it is corrected.
@@ -135,6 +139,8 @@ struct Predicted {
     fine: Value,
     /// z-, n.
     state: Vec<Value>,
+    /// Per input: what was used.
+    inputs: Vec<Value>,
 }
 
 impl Lowering<'_> {
@@ -150,7 +156,7 @@ impl Lowering<'_> {
         let state = self.store(&predicted, &corrected, (again, left));
         let calm = self.calm(&innovation);
         let counts = self.count(&predicted, again, calm);
-        self.report(&state, counts);
+        self.report(&state, &predicted, counts);
     }
 
     fn constant(&mut self, value: Settled) -> Value {
@@ -312,13 +318,17 @@ impl Lowering<'_> {
     }
 
     /// The estimate, and what it is worth.
-    fn report(&mut self, state: &[Value], [good, clean]: [Value; 2]) {
+    fn report(&mut self, state: &[Value], predicted: &Predicted, [good, clean]: [Value; 2]) {
         self.builder.section("the estimate");
         let design = self.design;
-        let estimate = match &design.frame {
+        let mut estimate = match &design.frame {
             Frame::Plant { .. } => state.to_vec(),
             Frame::Chain { readout, .. } => self.products(readout, state),
         };
+        if let Some(ahead) = self.ahead {
+            let injections = Injections::new(self.plant, self.cells.calls, predicted.inputs.clone());
+            estimate = ahead.moved(&mut self.builder, self.plant, &estimate, &injections, &predicted.outputs);
+        }
         for (state, value) in self.plant.states.iter().zip(estimate) {
             self.builder.estimate(field(&state.label.name, &state.label.unit, &state.label.doc), value);
         }

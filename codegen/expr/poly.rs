@@ -346,6 +346,26 @@ impl Constant {
         &self.0
     }
 
+    /// The sum.
+    pub fn plus(&self, other: &Self) -> Result<Self, PolyError> {
+        self.0.clone().plus(&other.0).map(Self)
+    }
+
+    /// The difference.
+    pub fn minus(&self, other: &Self) -> Result<Self, PolyError> {
+        self.0.clone().plus(&other.0.clone().negated()).map(Self)
+    }
+
+    /// The product.
+    pub fn times(&self, other: &Self) -> Result<Self, PolyError> {
+        self.0.times(&other.0).map(Self)
+    }
+
+    /// The quotient.
+    pub fn over(&self, other: &Self) -> Result<Self, PolyError> {
+        self.0.times(&other.0.reciprocal()?).map(Self)
+    }
+
     /// The value at a precision, to a few units of its last bit.
     pub fn evaluate(&self, precision: Precision) -> Result<Real, DomainError> {
         evaluate(&self.0, precision)

@@ -204,7 +204,7 @@ mod tests {
             let (plant, design) = designed(&text).unwrap();
             let Shape::Impulsive(shape) = &design.shape else { unreachable!("the method's shape") };
             let bounds = Bounds::new(&plant, shape).unwrap();
-            let program = design.lower(&plant).unwrap();
+            let program = design.lower(&plant, None).unwrap();
             let mut interpreter = crate::program::interp::Interpreter::new(&program);
             let bound = bounds.guard.bound;
             let mut estimate = [0.0; 2];

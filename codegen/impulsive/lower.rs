@@ -21,11 +21,13 @@ mod copies;
 mod count;
 mod sample;
 
+use crate::ahead::Ahead;
 use crate::design::Settled;
 use crate::diagnostic::Diagnostic;
 use crate::plant::Plant;
 use crate::program::builder::Builder;
 use crate::program::{Program, Status, Value};
+use crate::window::lower::injections::Injections;
 use crate::window::lower::report::start;
 use crate::window::lower::{field, injections};
 
@@ -34,7 +36,7 @@ use super::{Grid, Impulsive, Update};
 use cells::Cells;
 
 /// Lowers a design for its plant; constants that the target's floats cannot hold are reported.
-pub fn lower(plant: &Plant, design: &Impulsive) -> Result<Program, Vec<Diagnostic>> {
+pub fn lower(plant: &Plant, design: &Impulsive, ahead: Option<&Ahead>) -> Result<Program, Vec<Diagnostic>> {
     let bounds = Bounds::new(plant, design)?;
     injections::check(plant)?;
     let mut builder = Builder::new(&plant.name, plant.scalar, injections::round(&plant.sample_time.0, plant.scalar));
@@ -45,7 +47,7 @@ pub fn lower(plant: &Plant, design: &Impulsive) -> Result<Program, Vec<Diagnosti
     for input in &plant.inputs {
         builder.input(field(&input.label.name, &input.label.unit, &input.label.doc));
     }
-    let mut lowering = Lowering { plant, design, bounds, builder, cells };
+    let mut lowering = Lowering { plant, design, bounds, builder, cells, ahead };
     lowering.step();
     Ok(lowering.builder.finish())
 }
@@ -56,6 +58,8 @@ struct Lowering<'a> {
     bounds: Bounds,
     builder: Builder,
     cells: Cells,
+    /// How the answer is moved.
+    ahead: Option<&'a Ahead>,
 }
 
 /// What is known of a call once its samples have been looked at.
@@ -72,6 +76,8 @@ struct Sampled {
     outputs: Vec<Value>,
     /// Per known: its value of this call.
     knowns: Vec<Value>,
+    /// Per input: what was used.
+    inputs: Vec<Value>,
 }
 
 /// What a call makes of the copies, and whether that can be used.
@@ -183,9 +189,16 @@ impl Lowering<'_> {
         self.builder.section("the estimate; until it has converged, the start");
         let values: Vec<Value> = sampled.outputs.iter().chain(first).copied().collect();
         let estimate = self.products(&self.design.back, &values);
-        for (i, state) in self.plant.states.iter().enumerate() {
+        let mut answer = Vec::new();
+        for (i, estimate) in estimate.iter().enumerate() {
             let start = start(&mut self.builder, self.plant, i, &sampled.outputs);
-            let value = self.builder.select(counted.converged, estimate[i], start);
+            answer.push(self.builder.select(counted.converged, *estimate, start));
+        }
+        if let Some(ahead) = self.ahead {
+            let injections = Injections::new(self.plant, self.cells.calls, sampled.inputs.clone());
+            answer = ahead.moved(&mut self.builder, self.plant, &answer, &injections, &sampled.outputs);
+        }
+        for (state, value) in self.plant.states.iter().zip(answer) {
             self.builder.estimate(field(&state.label.name, &state.label.unit, &state.label.doc), value);
         }
         let [converged, coasting, converging] =

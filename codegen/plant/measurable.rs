@@ -3,6 +3,7 @@
 use dashu_base::BitTest as _;
 use dashu_ratio::RBig;
 
+use super::elimination::reduce;
 use crate::expr::Constant;
 
 /// Which states the undelayed outputs give at once, and by which weights.
@@ -45,21 +46,7 @@ fn by_elimination(c: &[Vec<Constant>], rows: &[usize], n: usize) -> Option<Vec<V
     if p * table.iter().flatten().map(bits).sum::<usize>() > MOST_BITS {
         return None;
     }
-    let mut done = 0;
-    for column in 0..n {
-        let Some(pivot) = (done..p).find(|row| !table[*row][column].is_zero()) else { continue };
-        table.swap(done, pivot);
-        let scale = RBig::ONE / &table[done][column];
-        table[done].iter_mut().for_each(|x| *x *= &scale);
-        let source = table[done].clone();
-        for (row, entries) in table.iter_mut().enumerate() {
-            if row != done && !entries[column].is_zero() {
-                let factor = entries[column].clone();
-                entries.iter_mut().zip(&source).for_each(|(x, s)| *x -= &factor * s);
-            }
-        }
-        done += 1;
-    }
+    let done = reduce(&mut table, n).len();
     let mut weights = vec![Vec::new(); n];
     for row in &table[..done] {
         let states: Vec<usize> = (0..n).filter(|j| !row[*j].is_zero()).collect();

@@ -10,7 +10,10 @@ use crate::spec::{self, Hold, Named, Quantity, Spec, Text};
 
 use super::expression::{exists, read_constant, read_expression};
 use super::measurable::Measurable;
-use super::{Disturbance, Injection, Input, Label, Output, Parameter, Plant, State, Unknown, combine, split, words};
+use super::sensor::Sensor;
+use super::{
+    Disturbance, Injection, Input, Label, Output, Parameter, Plant, State, Unknown, combine, split, turn, words,
+};
 
 /// Most states, inputs or outputs of a plant.
 const MOST: usize = 256;
@@ -19,7 +22,7 @@ const MOST: usize = 256;
 pub(super) struct Reading<'a> {
     spec: &'a Spec,
     known: Vec<(String, Meaning)>,
-    found: Vec<Diagnostic>,
+    pub(super) found: Vec<Diagnostic>,
 }
 
 /// A, B, C and what else a plant's equations hold.
@@ -27,6 +30,8 @@ struct Parts {
     a: Vec<Vec<Constant>>,
     b: Vec<Vec<Constant>>,
     c: Vec<Vec<Constant>>,
+    /// Per output: per input, and a constant.
+    direct: Vec<(Vec<Constant>, Constant)>,
     offset: Vec<Constant>,
     injections: Vec<Injection>,
     gammas: Vec<Vec<Poly>>,
@@ -49,17 +54,29 @@ impl<'a> Reading<'a> {
         self.known = spec.parameters.iter().map(|p| (p.named.name.value.clone(), Meaning::Later)).collect();
         let names = self.shape();
         self.read_parameters();
-        let sample_time = self.positive(&spec.sample_time, "the sample time");
+        let sample_time = self.positive(&spec.target.sample_time, "the sample time");
+        let jitter = self.at_least_zero(
+            spec.target.jitter.as_ref(),
+            "the jitter",
+            "write by how many seconds the times of samples may differ from those of calls",
+        );
+        let ahead = self.ahead();
         let names = names?;
-        let outputs: Vec<Option<Output>> = spec.outputs.iter().map(|o| self.output(o)).collect();
+        let known = (sample_time.as_ref(), jitter.as_ref().and_then(Option::as_ref).filter(|jitter| !jitter.is_zero()));
+        let outputs: Vec<Option<(Output, Sensor)>> = spec.outputs.iter().map(|o| self.output(o, known)).collect();
         let initial: Vec<Option<Constant>> = spec.states.iter().map(|s| self.optional(s.initial.as_ref())).collect();
         let bounds: Vec<Option<Constant>> = spec.disturbances.iter().map(|d| self.bound(d)).collect();
-        let late: Vec<bool> = outputs.iter().map(|o| o.as_ref().is_some_and(|o| o.delay.is_some())).collect();
+        let late: Vec<bool> = outputs.iter().map(|o| o.as_ref().is_some_and(|(o, _)| o.delay.is_some())).collect();
         let parts = if spec.matrices.is_some() { self.by_matrices(&names) } else { self.by_equations(&late) };
         let parts = parts?;
         self.check_uses(&parts);
-        let mut outputs: Vec<Output> = outputs.into_iter().collect::<Option<_>>()?;
+        let (mut outputs, mut sensors): (Vec<Output>, Vec<Sensor>) =
+            outputs.into_iter().collect::<Option<Vec<_>>>()?.into_iter().unzip();
         outputs.extend(names.outputs.iter().skip(outputs.len()).map(|name| default_output(name)));
+        sensors.resize_with(outputs.len(), Sensor::plain);
+        for (output, direct) in outputs.iter_mut().zip(parts.direct) {
+            self.add_direct(output, direct)?;
+        }
         let delayed: Vec<bool> = outputs.iter().map(|o| o.delay.is_some()).collect();
         let mut measured = Measurable::new(&parts.c, &delayed).weights;
         let initial: Vec<Constant> = initial.into_iter().collect::<Option<_>>()?;
@@ -76,7 +93,7 @@ impl<'a> Reading<'a> {
         });
         let unknowns = spec.unknowns.iter().zip(parts.gammas);
         let disturbances = spec.disturbances.iter().zip(bounds.into_iter().collect::<Option<Vec<_>>>()?);
-        Some(Plant {
+        let plant = Plant {
             source: spec.source.clone(),
             name: spec.name.value.clone(),
             title: spec.title.clone(),
@@ -96,10 +113,64 @@ impl<'a> Reading<'a> {
             offset: parts.offset,
             injections: parts.injections,
             parameters: spec.parameters.iter().zip(&self.known).filter_map(parameter).collect(),
-            sample_time: (sample_time?, spec.sample_time.span()),
-            scalar: spec.scalar,
+            sample_time: (sample_time?, spec.target.sample_time.span()),
+            scalar: spec.target.scalar,
+            ahead: ahead?.filter(|(ahead, _)| !ahead.is_zero()),
+            jitter: jitter?,
+            coasted: spec.target.coasted || sensors.iter().any(|s| s.gate.is_some() || s.aged.is_some()),
+            init_at: spec.target.init_at,
             span: spec.observer.method.span.clone(),
-        })
+        };
+        self.with_turns(plant, &sensors)
+    }
+
+    /// The key `ahead`, with its place.
+    fn ahead(&mut self) -> Option<Option<(Constant, Range<usize>)>> {
+        let ahead = self.spec.observer.ahead.as_ref();
+        let value = self.at_least_zero(ahead, "`ahead`", "write by how many seconds later the estimate is for")?;
+        Some(value.zip(ahead.map(Quantity::span)))
+    }
+
+    /// What a sample has besides the states; the declared range is of the sample.
+    fn add_direct(&mut self, output: &mut Output, (inputs, constant): (Vec<Constant>, Constant)) -> Option<()> {
+        let delay = output.delay.as_ref().map(|(_, span)| span.clone());
+        let has_inputs = inputs.iter().any(|factor| !factor.is_zero());
+        if let (true, Some(span)) = (has_inputs, delay) {
+            let message = format!("`{}` has an input in it and arrives late", output.label.name);
+            let error = Diagnostic::error(codes::BAD_COMBINATION, span, message);
+            self.found.push(error.help("subtract the input of that time before the call, and leave it out of `value`"));
+            return None;
+        }
+        if has_inputs {
+            output.feedthrough = inputs;
+            output.raw_range = output.range.take();
+        }
+        if let Some((low, high)) = &output.range {
+            output.range = Some((low.minus(&constant).ok()?, high.minus(&constant).ok()?));
+        }
+        output.offset = constant;
+        Some(())
+    }
+
+    /// Proves the turns.
+    fn with_turns(&mut self, mut plant: Plant, sensors: &[Sensor]) -> Option<Plant> {
+        let mut proven = true;
+        for (o, sensor) in sensors.iter().enumerate() {
+            match turn::wrap(&plant, o, sensor) {
+                Ok(wrap) => {
+                    let output = &mut plant.outputs[o];
+                    if wrap.is_some() && output.raw_range.is_none() {
+                        output.raw_range = output.range.take();
+                    }
+                    output.wrap = wrap;
+                }
+                Err(error) => {
+                    self.found.push(*error);
+                    proven = false;
+                }
+            }
+        }
+        proven.then_some(plant)
     }
 
     /// Parameters may use those before them.
@@ -164,7 +235,7 @@ impl<'a> Reading<'a> {
     }
 
     /// A quantity as a constant whose value exists.
-    fn constant(&mut self, quantity: &Quantity) -> Option<Constant> {
+    pub(super) fn constant(&mut self, quantity: &Quantity) -> Option<Constant> {
         read_constant(quantity, &self.known, &mut self.found)
     }
 
@@ -181,7 +252,7 @@ impl<'a> Reading<'a> {
         self.not_below_zero(&value, quantity, what, false, "write the seconds between two calls").then_some(value)
     }
 
-    fn not_below_zero(
+    pub(super) fn not_below_zero(
         &mut self,
         value: &Constant,
         quantity: &Quantity,
@@ -210,7 +281,11 @@ impl<'a> Reading<'a> {
         self.at_least_zero(disturbance.bound.as_ref(), "the bound of a disturbance", "write its largest magnitude")?
     }
 
-    fn output(&mut self, output: &spec::Output) -> Option<Output> {
+    fn output(
+        &mut self,
+        output: &spec::Output,
+        (sample_time, jitter): (Option<&Constant>, Option<&Constant>),
+    ) -> Option<(Output, Sensor)> {
         let noise = self.at_least_zero(output.noise.as_ref(), "the bound of the noise", "write its largest magnitude");
         let delay =
             self.at_least_zero(output.delay.as_ref(), "a delay", "write by how many seconds the measurement is late");
@@ -218,7 +293,26 @@ impl<'a> Reading<'a> {
         let delay = delay?.filter(|d| !d.is_zero()).zip(output.delay.as_ref().map(Quantity::span));
         let range_span = output.range.as_ref().map_or_else(|| output.named.name.span.clone(), |(_, span)| span.clone());
         let equation = output.value.as_ref().map(one_line).unwrap_or_default();
-        Some(Output { label: label(&output.named), noise: noise?, delay, range: range?, range_span, equation })
+        let sensor = self.sensor(output, sample_time, jitter)?;
+        let noise = sensor.noise(noise?, jitter).ok()?;
+        let counter = sensor.counter.as_ref().map(|(counter, _)| *counter);
+        let read = Output {
+            noise,
+            delay,
+            range: range?,
+            range_span,
+            equation,
+            max_rate: sensor.max_rate.clone(),
+            quantum: sensor.quantum.clone(),
+            floor: sensor.floor,
+            counter,
+            gate: sensor.gate.clone(),
+            every: sensor.every,
+            every_span: sensor.every_span.clone(),
+            aged: sensor.aged.clone(),
+            ..plain_output(label(&output.named))
+        };
+        Some((read, sensor))
     }
 
     fn range(&mut self, output: &spec::Output) -> Option<Option<(Constant, Constant)>> {
@@ -245,10 +339,12 @@ impl<'a> Reading<'a> {
         let a = self.matrix(matrices.a.as_ref()?, n, n, "A")?;
         let b = matrices.b.as_ref().map_or(Some(vec![Vec::new(); n]), |b| self.matrix(b, n, m, "B"));
         let c = self.matrix(matrices.c.as_ref()?, p, n, "C");
+        let d = matrices.d.as_ref().map_or(Some(vec![vec![Constant::default(); m]; p]), |d| self.matrix(d, p, m, "D"));
         Some(Parts {
             a,
             b: b?,
             c: c?,
+            direct: d?.into_iter().map(|row| (row, Constant::default())).collect(),
             offset: vec![Constant::default(); n],
             injections: Vec::new(),
             gammas: Vec::new(),
@@ -278,6 +374,7 @@ impl<'a> Reading<'a> {
                 }
                 "A" => ("A must be square".into(), "A has one row and one column per state"),
                 "B" => (format!("B must be {height} x {width}"), "B has one row per state and one column per input"),
+                "D" => (format!("D must be {height} x {width}"), "D has one row per output and one column per input"),
                 _ => (
                     format!("{letter} must be {height} x {width}"),
                     "C has one row per output and one column per state",
@@ -303,10 +400,11 @@ impl<'a> Reading<'a> {
 
     fn by_equations(&mut self, late: &[bool]) -> Option<Parts> {
         let spec = self.spec;
-        let c: Vec<Option<Vec<Constant>>> = spec.outputs.iter().map(|o| self.output_row(o.value.as_ref()?)).collect();
+        let shown: Vec<Option<Shown>> = spec.outputs.iter().map(|o| self.output_row(o.value.as_ref()?)).collect();
         let rights: Vec<Option<Node>> =
             spec.states.iter().map(|s| s.change.as_ref().and_then(|text| self.node(text))).collect();
-        let c: Vec<Vec<Constant>> = c.into_iter().collect::<Option<_>>()?;
+        let shown: Vec<Shown> = shown.into_iter().collect::<Option<_>>()?;
+        let (c, direct): (Vec<_>, Vec<_>) = shown.into_iter().map(|s| (s.states, (s.inputs, s.constant))).unzip();
         let rights: Vec<Node> = rights.into_iter().collect::<Option<_>>()?;
         let measurable = Measurable::new(&c, late);
         let sizes = split::Sizes {
@@ -318,35 +416,33 @@ impl<'a> Reading<'a> {
         let sides: Vec<Option<split::Side>> =
             rights.iter().map(|right| split::side(right, &measurable, sizes, &self.known, &mut self.found)).collect();
         let sides: Vec<split::Side> = sides.into_iter().collect::<Option<_>>()?;
-        self.assemble(&rights, sides, c)
+        self.assemble(&rights, sides, c, direct)
     }
 
-    /// Coefficients of the output; it must be linear in the states.
-    fn output_row(&mut self, text: &Text) -> Option<Vec<Constant>> {
+    /// Coefficients of the output; it must be affine in states and inputs.
+    fn output_row(&mut self, text: &Text) -> Option<Shown> {
         let node = self.node(text)?;
         let mut row = vec![Poly::default(); self.spec.states.len()];
+        let mut inputs = vec![Poly::default(); self.spec.inputs.len()];
+        let mut constant = Poly::default();
         for (monomial, coefficient) in node.poly.terms() {
             let (fixed, varying) = monomial.split();
-            match varying.as_symbol() {
-                Some(Symbol::State(j)) => {
-                    let term = Poly::monomial(fixed, coefficient.clone());
-                    row[j] = std::mem::take(&mut row[j]).plus(&term).ok()?;
-                }
+            let place = match varying.as_symbol() {
+                Some(Symbol::State(j)) => &mut row[j],
+                Some(Symbol::Input(i)) => &mut inputs[i],
+                None if varying.symbols().is_empty() => &mut constant,
                 _ => {
-                    let message = "an output must be linear in the states";
+                    let message = "an output must be linear in the states and inputs, with constant factors";
                     let what = words::shortened(words::describe(&varying, &self.known));
-                    let label = if what.is_empty() {
-                        "this adds a constant".to_owned()
-                    } else {
-                        format!("this contains `{what}`")
-                    };
                     let span = split::culprit(&node, &varying, varying.symbols().first().copied());
-                    let error = Diagnostic::error(codes::OUTPUT_NOT_LINEAR, span, message).label(label);
-                    let help = "write a sum of states with constant factors; undo offsets and curves of the sensor before the call";
-                    self.found.push(error.help(help));
+                    let error = Diagnostic::error(codes::OUTPUT_NOT_LINEAR, span, message);
+                    let help = "write a sum of states and inputs with constant factors, and a constant; undo curves of the sensor before the call";
+                    self.found.push(error.label(format!("this contains `{what}`")).help(help));
                     return None;
                 }
-            }
+            };
+            let term = Poly::monomial(fixed, coefficient.clone());
+            *place = std::mem::take(place).plus(&term).ok()?;
         }
         if row.iter().all(Poly::is_zero) {
             let error = Diagnostic::error(codes::OUTPUT_NOT_LINEAR, node.span, "this output shows no state");
@@ -354,7 +450,9 @@ impl<'a> Reading<'a> {
                 .push(error.label("everything in it cancels").help("write a sum of states with constant factors"));
             return None;
         }
-        self.constants(row, &text.span)
+        let inputs = self.constants(inputs, &text.span);
+        let constant = self.constants(vec![constant], &text.span);
+        Some(Shown { states: self.constants(row, &text.span)?, inputs: inputs?, constant: constant?.pop()? })
     }
 
     /// Coefficients that exist.
@@ -366,13 +464,20 @@ impl<'a> Reading<'a> {
         row.iter().all(|constant| self.exists(constant, span)).then_some(row)
     }
 
-    fn assemble(&mut self, rights: &[Node], sides: Vec<split::Side>, c: Vec<Vec<Constant>>) -> Option<Parts> {
+    fn assemble(
+        &mut self,
+        rights: &[Node],
+        sides: Vec<split::Side>,
+        c: Vec<Vec<Constant>>,
+        direct: Vec<(Vec<Constant>, Constant)>,
+    ) -> Option<Parts> {
         let spec = self.spec;
         let n = sides.len();
         let mut parts = Parts {
             a: Vec::new(),
             b: Vec::new(),
             c,
+            direct,
             offset: Vec::new(),
             injections: Vec::new(),
             gammas: vec![vec![Poly::default(); n]; spec.unknowns.len()],
@@ -427,13 +532,23 @@ impl<'a> Reading<'a> {
         for (i, input) in self.spec.inputs.iter().enumerate() {
             let linear = parts.b.iter().any(|row| row.get(i).is_some_and(|c| !c.is_zero()));
             let elsewhere = parts.injections.iter().any(|j| j.symbols().contains(&Symbol::Input(i)))
-                || parts.gammas.iter().flatten().any(|g| g.symbols().contains(&Symbol::Input(i)));
+                || parts.gammas.iter().flatten().any(|g| g.symbols().contains(&Symbol::Input(i)))
+                || parts.direct.iter().any(|(inputs, _)| inputs.get(i).is_some_and(|c| !c.is_zero()));
             if !linear && !elsewhere {
                 let message = format!("the input `{}` enters no equation", input.named.name.value);
                 self.found.push(Diagnostic::warning(codes::UNUSED, input.named.name.span.clone(), message));
             }
         }
     }
+}
+
+/// What an output shows.
+struct Shown {
+    /// Per state.
+    states: Vec<Constant>,
+    /// Per input.
+    inputs: Vec<Constant>,
+    constant: Constant,
 }
 
 /// The names of a plant's parts.
@@ -465,7 +580,31 @@ fn unnamed(name: &str) -> Label {
 }
 
 fn default_output(name: &str) -> Output {
-    Output { label: unnamed(name), noise: None, delay: None, range: None, range_span: 0..0, equation: String::new() }
+    plain_output(unnamed(name))
+}
+
+/// An output of which nothing but its name is said.
+fn plain_output(label: Label) -> Output {
+    Output {
+        label,
+        noise: None,
+        delay: None,
+        range: None,
+        raw_range: None,
+        range_span: 0..0,
+        equation: String::new(),
+        feedthrough: Vec::new(),
+        offset: Constant::default(),
+        wrap: None,
+        max_rate: None,
+        quantum: None,
+        floor: false,
+        counter: None,
+        gate: None,
+        every: 1,
+        every_span: 0..0,
+        aged: None,
+    }
 }
 
 /// An expression's text on one line.

@@ -8,8 +8,9 @@ use toml::de::{DeTable, DeValue};
 use super::chain::{self, Form};
 use super::identifiers::{check_identifier, check_name, check_names};
 use super::reader::{Found, Table};
+use super::sensor::Sensor;
 use super::{
-    Disturbance, Hold, Input, Matrices, Named, Observer, Output, Parameter, Quantity, Settings, Spec, State, Text,
+    Disturbance, Hold, Input, Matrices, Named, Observer, Output, Parameter, Settings, Spec, State, Target, Text,
 };
 use crate::diagnostic::{Diagnostic, Source, codes};
 use crate::expr::nearest;
@@ -49,7 +50,7 @@ pub(super) fn read(source: &Source, settings: Settings, found: &Found) -> Option
     let disturbances = read_disturbances(&mut top);
     let target = read_target(&mut top);
     top.finish();
-    let (sample_time, scalar) = target?;
+    let target = target?;
     let mut spec = Spec {
         source: source.clone(),
         name: name?,
@@ -64,8 +65,7 @@ pub(super) fn read(source: &Source, settings: Settings, found: &Found) -> Option
         disturbances,
         matrices,
         observer: observer?,
-        sample_time,
-        scalar: settings.scalar.unwrap_or(scalar),
+        target: Target { scalar: settings.scalar.unwrap_or(target.scalar), ..target },
     };
     if let Form::Chain(order) = form {
         chain::stand_in(&mut spec, order, &whole());
@@ -152,8 +152,8 @@ fn read_parameters(top: &mut Table) -> Vec<Parameter> {
 fn read_matrices(top: &mut Table) -> Option<Matrices> {
     let mut table = top.table("plant", "[plant]")?;
     let discrete = table.choice("time", &[("continuous", false), ("discrete", true)], false);
-    let matrices =
-        Matrices { a: table.matrix("A"), b: table.matrix("B"), c: table.matrix("C"), discrete, span: table.span() };
+    let [a, b, c, d] = ["A", "B", "C", "D"].map(|letter| table.matrix(letter));
+    let matrices = Matrices { a, b, c, d, discrete, span: table.span() };
     for key in ["A", "C"] {
         if !table.has(key) {
             table.missing(key, "write it as a list of rows, such as `[[0, 1], [0, 0]]`");
@@ -261,7 +261,8 @@ fn read_outputs(top: &mut Table, form: Form) -> Vec<Output> {
             _ => {}
         }
         let range = entry.list("range");
-        let output = Output { named, value, noise: entry.quantity("noise"), delay: entry.quantity("delay"), range };
+        let (noise, delay) = (entry.quantity("noise"), entry.quantity("delay"));
+        let output = Output { named, value, noise, delay, range, sensor: Sensor::read(entry) };
         if let Some((limits, span)) = &output.range
             && limits.len() != 2
         {
@@ -341,9 +342,10 @@ fn read_observer(top: &mut Table) -> Option<Observer> {
                 return None;
             };
             let mut keys = table.entry_table(name, value)?.named(format!("[observer.{}]", method.name));
+            let ahead = keys.quantity("ahead");
             let keyed = (method.read)(&mut keys);
             keys.finish();
-            Some(Observer { method: name.clone(), keyed: keyed? })
+            Some(Observer { method: name.clone(), keyed: keyed?, ahead })
         }
         [first, second, ..] => {
             let message = "a specification has one observer";
@@ -357,7 +359,7 @@ fn read_observer(top: &mut Table) -> Option<Observer> {
     }
 }
 
-fn read_target(top: &mut Table) -> Option<(Quantity, Scalar)> {
+fn read_target(top: &mut Table) -> Option<Target> {
     if !top.has("target") {
         top.missing("target", "write `[target]` with `sample_time = …` s");
     }
@@ -367,6 +369,8 @@ fn read_target(top: &mut Table) -> Option<(Quantity, Scalar)> {
         table.missing("sample_time", "write `sample_time = …`, the seconds between two calls");
     }
     let scalar = table.choice("scalar", &[("f32", Scalar::F32), ("f64", Scalar::F64)], Scalar::F32);
+    let jitter = table.quantity("jitter");
+    let [coasted, init_at] = ["coasted", "init_at"].map(|key| table.flag(key).unwrap_or(false));
     table.finish();
-    Some((sample_time?, scalar))
+    Some(Target { sample_time: sample_time?, scalar, jitter, coasted, init_at })
 }

@@ -23,6 +23,7 @@ mod sums;
 mod there;
 mod two_level;
 
+use crate::ahead::Ahead;
 use crate::design::Settled;
 use crate::diagnostic::Diagnostic;
 use crate::plant::Plant;
@@ -37,10 +38,11 @@ use predict::Unknowns;
 pub(crate) use report::Standing;
 
 /// Lowers a functional for its plant; constants that the target's floats cannot hold are reported.
-pub fn lower(plant: &Plant, functional: &Functional) -> Result<Program, Vec<Diagnostic>> {
+pub fn lower(plant: &Plant, functional: &Functional, ahead: Option<&Ahead>) -> Result<Program, Vec<Diagnostic>> {
     let guard = Guard::new(plant, functional, Growth::default())?;
     injections::check(plant)?;
     let mut lowering = Lowering::new(plant, functional, guard);
+    lowering.ahead = ahead;
     lowering.step();
     Ok(lowering.builder.finish())
 }
@@ -63,6 +65,8 @@ pub(crate) struct Sampled {
     outputs: Vec<Value>,
     /// Per signal: what enters the window.
     signals: Vec<Value>,
+    /// Per input: what was used.
+    inputs: Vec<Value>,
     /// Per output, where the estimate is of the samples that are there: 1 for a sample, 0 for none.
     present: Vec<Value>,
     /// Likewise: the slot of the time that a sample shows.
@@ -80,6 +84,8 @@ pub(crate) struct Lowering<'a> {
     pub(crate) unknowns: Option<Unknowns>,
     /// Whether the window holds a replaced sample, where copies keep that themselves: 1 or 0.
     replaced: Option<Value>,
+    /// How the answer is moved.
+    ahead: Option<&'a Ahead>,
 }
 
 impl<'a> Lowering<'a> {
@@ -94,7 +100,7 @@ impl<'a> Lowering<'a> {
         for input in &plant.inputs {
             builder.input(field(&input.label.name, &input.label.unit, &input.label.doc));
         }
-        Self { plant, functional, guard, builder, cells, unknowns: None, replaced: None }
+        Self { plant, functional, guard, builder, cells, unknowns: None, replaced: None, ahead: None }
     }
 
     /// A constant of the design.

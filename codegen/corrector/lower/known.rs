@@ -1,5 +1,6 @@
 //! The first half of a step: reads the samples and what else is known, guards it, and predicts the state.
 
+use crate::front;
 use crate::program::Value;
 use crate::window::lower::injections::{Injections, Moment};
 use crate::window::lower::place;
@@ -14,8 +15,12 @@ impl Lowering<'_> {
     pub(super) fn predict(&mut self) -> Predicted {
         self.builder.section("samples: outside its range, infinite or NaN means missing");
         let count = self.plant.outputs.len();
-        let (samples, good): (Vec<Value>, Vec<Value>) = (0..count).map(|o| self.read_output(o)).unzip();
+        let (b, plant, ranges) = (&mut self.builder, self.plant, &self.guard.outputs);
+        let read: Vec<(Value, Value)> = (0..count).map(|o| front::read(b, plant, o, ranges[o])).collect();
         let (inputs, mut fine) = self.read_inputs();
+        let (b, ranges) = (&mut self.builder, &self.guard.outputs);
+        let (samples, good): (Vec<Value>, Vec<Value>) =
+            (0..count).map(|o| front::without_inputs(b, plant, o, read[o], &inputs, ranges[o])).unzip();
         let measured = all(&mut self.builder, &good);
         self.builder.section("prediction by the plant");
         let injections = Injections::new(self.plant, self.cells.calls, inputs);
@@ -29,13 +34,7 @@ impl Lowering<'_> {
         }
         fine.push(measured);
         let fine = all(&mut self.builder, &fine);
-        Predicted { outputs, good, measured, fine, state }
-    }
-
-    fn read_output(&mut self, output: usize) -> (Value, Value) {
-        let value = self.builder.read_measurement(place(output));
-        let (low, high) = self.guard.outputs[output];
-        (value, self.builder.in_range(value, low, high))
+        Predicted { outputs, good, measured, fine, state, inputs: injections.inputs }
     }
 
     /// The inputs, with the last good value in place of a bad one; and which were good.

@@ -1,6 +1,7 @@
 //! The first half of a step: reads the samples, guards them, predicts those that are not there, and evaluates what
 //! is known besides.
 
+use crate::front;
 use crate::program::Value;
 use crate::window::Source;
 use crate::window::lower::injections::{Injections, Moment};
@@ -30,9 +31,12 @@ impl<'a> Lowering<'a> {
         let due = self.due();
         let converged = self.was_converged();
         let count = self.plant.outputs.len();
-        let (measured, good): (Vec<Value>, Vec<Value>) = (0..count).map(|o| self.read_output(o, due)).unzip();
+        let read: Vec<(Value, Value)> = (0..count).map(|o| self.read_output(o, due)).collect();
         let last: Vec<Value> = self.cells.outputs.iter().map(|kept| self.builder.read(kept[0])).collect();
         let mut signals = self.read_inputs();
+        let (b, ranges, inputs) = (&mut self.builder, &self.bounds.guard.outputs, &signals.injections.inputs);
+        let (measured, good): (Vec<Value>, Vec<Value>) =
+            (0..count).map(|o| front::without_inputs(b, self.plant, o, read[o], inputs, ranges[o])).unzip();
 
         self.builder.section("prediction, for a sample that is missing or not measured now");
         self.evaluate(&mut signals, false, &[]);
@@ -68,6 +72,7 @@ impl<'a> Lowering<'a> {
             lost: any(&mut self.builder, &lost),
             outputs,
             knowns: values,
+            inputs: signals.injections.inputs,
         }
     }
 
@@ -84,9 +89,8 @@ impl<'a> Lowering<'a> {
     }
 
     fn read_output(&mut self, output: usize, due: Value) -> (Value, Value) {
-        let value = self.builder.read_measurement(place(output));
-        let (low, high) = self.bounds.guard.outputs[output];
-        let good = self.builder.in_range(value, low, high);
+        let range = self.bounds.guard.outputs[output];
+        let (value, good) = front::read(&mut self.builder, self.plant, output, range);
         (value, self.builder.and(due, good))
     }
 

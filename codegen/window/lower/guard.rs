@@ -7,8 +7,8 @@
 use crate::design::Settled;
 use crate::diagnostic::{Diagnostic, codes};
 use crate::expr::bounds::Interval;
-use crate::expr::{Function, Node, NodeKind, Symbol};
-use crate::plant::Plant;
+use crate::expr::{Constant, Function, Node, NodeKind, Symbol};
+use crate::plant::{Output, Plant};
 use crate::program::Scalar;
 
 use super::super::{Functional, Prediction};
@@ -47,6 +47,7 @@ impl Guard {
             Scalar::F32 => (f64::from(f32::MAX), 0..=37),
             Scalar::F64 => (f64::MAX, 0..=307),
         };
+        let gain = gain.max(largest_sample(plant));
         let powers = exponents.rev().map(|e| format!("1e{e}").parse::<f64>().unwrap_or(1.0));
         let bound = powers.map(|b| plant.scalar_value(b)).find(|b| 16.0 * b * (gain + b * square) <= largest);
         let Some(bound) = bound else {
@@ -107,7 +108,7 @@ pub(crate) fn lost(plant: &Plant, what: &str, weight: f64) -> Diagnostic {
         .help("choose units in which states and outputs have similar sizes, or write `scalar = \"f64\"`")
 }
 
-fn output_range(plant: &Plant, output: &crate::plant::Output, bound: f64, found: &mut Vec<Diagnostic>) -> (f64, f64) {
+fn output_range(plant: &Plant, output: &Output, bound: f64, found: &mut Vec<Diagnostic>) -> (f64, f64) {
     let Some((low, high)) = &output.range else { return (-bound, bound) };
     let (low, high) = (round(low, plant.scalar), round(high, plant.scalar));
     if !(low >= -bound && high <= bound) {
@@ -117,6 +118,15 @@ fn output_range(plant: &Plant, output: &crate::plant::Output, bound: f64, found:
         found.push(error.label(largest).help("narrow the range to what the sensor can show"));
     }
     (low, high)
+}
+
+/// The largest magnitude of a sample without what inputs and constants it has in it, for both of magnitude 1.
+fn largest_sample(plant: &Plant) -> f64 {
+    let size = |constant: &Constant| constant.to_f64().unwrap_or(0.0).abs();
+    let sum = |output: &Output| {
+        1.0 + output.feedthrough.iter().map(size).sum::<f64>() + output.shift().as_ref().map_or(0.0, size)
+    };
+    plant.outputs.iter().map(sum).fold(1.0, f64::max)
 }
 
 /// The largest sum of magnitudes in a step, for samples of magnitude 1; at least 1.

@@ -6,6 +6,7 @@ use crate::program::builder::Builder;
 use crate::program::{Status, Value};
 
 use super::super::Part;
+use super::injections::Injections;
 use super::{Lowering, Sampled, field, injections, late_len};
 
 /// How far an estimate can be trusted.
@@ -56,9 +57,16 @@ impl Lowering<'_> {
 
     /// The estimate where it is known, else the start; and how far it can be trusted.
     pub(crate) fn report(&mut self, estimate: &[Value], sampled: &Sampled, standing: &Standing) {
-        for (i, state) in self.plant.states.iter().enumerate() {
+        let mut answer = Vec::new();
+        for (i, estimate) in estimate.iter().enumerate() {
             let start = start(&mut self.builder, self.plant, i, &sampled.outputs);
-            let value = self.builder.select(standing.known, estimate[i], start);
+            answer.push(self.builder.select(standing.known, *estimate, start));
+        }
+        if let Some(ahead) = self.ahead {
+            let injections = Injections::new(self.plant, self.cells.calls, sampled.inputs.clone());
+            answer = ahead.moved(&mut self.builder, self.plant, &answer, &injections, &sampled.outputs);
+        }
+        for (state, value) in self.plant.states.iter().zip(answer) {
             self.builder.estimate(field(&state.label.name, &state.label.unit, &state.label.doc), value);
         }
         let coasting = self.replaced.unwrap_or_else(|| self.builder.read(self.cells.coasting));

@@ -1,6 +1,7 @@
 //! The first half of a step: reads the samples, guards them, predicts those that are missing, and
 //! evaluates the injections.
 
+use crate::front;
 use crate::plant::Hold;
 use crate::program::builder::Builder;
 use crate::program::{CellId, Value};
@@ -11,7 +12,7 @@ use super::{Lowering, Sampled, late_len, place};
 
 /// The signals of this call, as far as they are known.
 pub(super) struct Signals<'a> {
-    injections: Injections<'a>,
+    pub(super) injections: Injections<'a>,
     /// Per signal.
     pub(super) values: Vec<Option<Value>>,
     /// Whether what was sampled now was good: one per sample that may be bad.
@@ -30,8 +31,10 @@ impl<'a> Lowering<'a> {
         let count = self.builder.read(self.cells.count);
         let converged = self.had_converged(count, 1);
         let outputs = self.plant.outputs.len();
-        let (measured, good): (Vec<Value>, Vec<Value>) = (0..outputs).map(|o| self.read_output(o)).unzip();
+        let read = (0..outputs).map(|o| self.read_output(o)).collect();
         let mut signals = self.read_signals(before);
+        let (measured, good): (Vec<Value>, Vec<Value>) =
+            self.without_inputs(read, &signals.injections.inputs).into_iter().unzip();
 
         self.builder.section("prediction, for a sample that is missing");
         let newest = self.builder.advance(before, window);
@@ -86,6 +89,7 @@ impl<'a> Lowering<'a> {
             lost,
             outputs: stored,
             signals: values,
+            inputs: signals.injections.inputs,
             present: Vec::new(),
             slots: Vec::new(),
         }
@@ -113,10 +117,16 @@ impl<'a> Lowering<'a> {
         expected
     }
 
+    /// A sample, with its inputs still in it.
     pub(super) fn read_output(&mut self, output: usize) -> (Value, Value) {
-        let value = self.builder.read_measurement(place(output));
-        let (low, high) = self.guard.outputs[output];
-        (value, self.builder.in_range(value, low, high))
+        front::read(&mut self.builder, self.plant, output, self.guard.outputs[output])
+    }
+
+    /// Samples without the inputs that they have in them.
+    pub(super) fn without_inputs(&mut self, samples: Vec<(Value, Value)>, inputs: &[Value]) -> Vec<(Value, Value)> {
+        let (b, plant, ranges) = (&mut self.builder, self.plant, &self.guard.outputs);
+        let each = samples.into_iter().zip(ranges).enumerate();
+        each.map(|(o, (sample, range))| front::without_inputs(b, plant, o, sample, inputs, *range)).collect()
     }
 
     /// The inputs, with the last good value in place of a bad one.

@@ -17,8 +17,10 @@ impl Lowering<'_> {
         let before = self.builder.read(self.cells.newest);
         let before = self.builder.at_most(before, window - 1);
         let outputs = self.plant.outputs.len();
-        let (measured, good): (Vec<Value>, Vec<Value>) = (0..outputs).map(|o| self.read_output(o)).unzip();
+        let read = (0..outputs).map(|o| self.read_output(o)).collect();
         let mut signals = self.read_signals(before);
+        let (measured, good): (Vec<Value>, Vec<Value>) =
+            self.without_inputs(read, &signals.injections.inputs).into_iter().unzip();
         let newest = self.builder.advance(before, window);
         let feeds = self.feeds();
         let foreseen = feeds.contains(&true).then(|| {
@@ -47,7 +49,7 @@ impl Lowering<'_> {
             self.known_before_the_samples(&mut signals, before);
         }
         self.known_with_the_samples(&mut signals, before, &used);
-        let Signals { values, now, since, .. } = signals;
+        let Signals { injections, values, now, since } = signals;
         let values: Vec<Value> = values.into_iter().flatten().collect();
         let (outputs, lost) = match foreseen {
             Some(_) => self.settle_stand_ins(&feeds, (&measured, &good), &used, &values),
@@ -66,6 +68,7 @@ impl Lowering<'_> {
             lost,
             outputs,
             signals: values,
+            inputs: injections.inputs,
             present,
             slots,
         }

@@ -1,0 +1,81 @@
+//! What a specification may ask of any method, and who cannot do it.
+
+use std::ops::Range;
+
+use super::Keyed;
+use crate::diagnostic::{Diagnostic, codes};
+use crate::plant::Plant;
+
+/// What a specification may ask of any method.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Feature {
+    /// Samples that jump by whole turns.
+    Wrap,
+    /// Samples that are integers.
+    Counter,
+    /// Samples that are looked at before they are believed.
+    Gate,
+    /// Outputs that are measured at every so many steps.
+    Every,
+    /// Samples that come with their age.
+    Age,
+    /// The estimate for later.
+    Ahead,
+    /// A start from a known state.
+    InitAt,
+    /// Calls since the newest accepted sample.
+    Coasted,
+}
+
+impl Feature {
+    /// The key that asks for it.
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::Wrap => "wrap",
+            Self::Counter => "sample",
+            Self::Gate => "gate",
+            Self::Every => "every",
+            Self::Age => "age",
+            Self::Ahead => "ahead",
+            Self::InitAt => "init_at",
+            Self::Coasted => "coasted",
+        }
+    }
+}
+
+/// Why a method cannot do something, and what can.
+#[derive(Clone, Copy, Debug)]
+pub struct Cannot {
+    /// A clause behind "the method `x` cannot take `key`: ".
+    pub why: &'static str,
+    /// The nearest way out.
+    pub instead: &'static str,
+}
+
+/// What a plant's specification asks for that its method cannot do.
+pub fn refused(plant: &Plant, keyed: &dyn Keyed, method: &str) -> Vec<Diagnostic> {
+    let refusal = |(feature, span): (Feature, Range<usize>)| {
+        let cannot = keyed.cannot(feature, plant)?;
+        let message = format!("the method `{method}` cannot take `{}`: {}", feature.key(), cannot.why);
+        let error = Diagnostic::error(codes::METHOD_CANNOT, span, message);
+        Some(error.context(plant.span.clone(), "the method").help(cannot.instead))
+    };
+    asked(plant).into_iter().filter_map(refusal).collect()
+}
+
+/// What is asked for, with the places.
+fn asked(plant: &Plant) -> Vec<(Feature, Range<usize>)> {
+    let mut asked = Vec::new();
+    for output in &plant.outputs {
+        let name = || output.label.span.clone();
+        asked.extend(output.wrap.iter().map(|wrap| (Feature::Wrap, wrap.span.clone())));
+        asked.extend(output.counter.iter().map(|_| (Feature::Counter, name())));
+        asked.extend(output.gate.iter().map(|gate| (Feature::Gate, gate.span.clone())));
+        asked.extend((output.every > 1).then(|| (Feature::Every, output.every_span.clone())));
+        asked.extend(output.aged.iter().map(|aged| (Feature::Age, aged.span.clone())));
+    }
+    asked.extend(plant.ahead.iter().map(|(_, span)| (Feature::Ahead, span.clone())));
+    asked.extend(plant.init_at.then(|| (Feature::InitAt, plant.span.clone())));
+    asked.extend(plant.coasted.then(|| (Feature::Coasted, plant.span.clone())));
+    asked
+}
