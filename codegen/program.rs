@@ -241,15 +241,34 @@ pub enum Op {
     },
     /// Float: the index as a float, rounded to nearest even.
     ToFloat(Value),
-    /// Float: a field of the measurements.
+    /// Float: the index as a signed number of 32 bits, two's complement, rounded to nearest even.
+    SignedToFloat(Value),
+    /// Index: the float towards zero as a signed number of 32 bits, two's complement. What is below the smallest or
+    /// above the largest of these numbers that the scalar type has counts as that; NaN as 0.
+    FromFloat(Value),
+    /// Index: `a + b` modulo 2^32.
+    WrapAdd(Value, Value),
+    /// Index: `a - b` modulo 2^`bits`, its sign extended to 32 bits: how far a counter has come from `b` to `a`, right
+    /// as long as that is less than half of its range.
+    Difference {
+        /// Index.
+        a: Value,
+        /// Index.
+        b: Value,
+        /// 16 or 32.
+        bits: u8,
+    },
+    /// Float: a field of the measurements, of kind [`Kind::Float`].
     Measurement(u16),
+    /// Index: a field of the measurements, of kind [`Kind::Count`], extended to 32 bits: by its sign if it has one.
+    Count(u16),
     /// Float: a field of the inputs.
     Input(u16),
     /// Float or Index: a scalar cell as it is now.
     Cell(CellId),
-    /// Float: an element of a ring as it is now; `slot` is proven below the ring's length.
+    /// Float or Index: an element of a ring as it is now; `slot` is proven below the ring's length.
     Ring {
-        /// A cell of kind [`CellKind::Ring`].
+        /// A cell of kind [`CellKind::Ring`] or [`CellKind::Counts`].
         ring: CellId,
         /// Index.
         slot: Value,
@@ -291,11 +310,11 @@ pub enum Statement {
     },
     /// Writes one element of a ring.
     SetRing {
-        /// A cell of kind `Ring`.
+        /// A cell of kind `Ring` or `Counts`.
         ring: CellId,
         /// Index, proven below the ring's length.
         slot: Value,
-        /// Float.
+        /// Float, or Index for `Counts`.
         value: Value,
     },
     /// Runs its body once for each row of a table, in order.
@@ -333,6 +352,25 @@ pub struct Field {
     pub unit: String,
     /// One line; may be empty.
     pub doc: String,
+    /// What it holds.
+    pub kind: Kind,
+}
+
+/// What a field of the interface holds.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Kind {
+    /// A number of the Program's [`Scalar`] type.
+    #[default]
+    Float,
+    /// The integer that a counter shows, two's complement if it has a sign; measurements only. It is never missing.
+    Count {
+        /// 16 or 32.
+        bits: u8,
+        /// Whether the counter goes below zero.
+        signed: bool,
+    },
+    /// An unsigned integer of 32 bits; estimates only.
+    Index,
 }
 
 /// A part of the observer's state.
@@ -365,6 +403,15 @@ pub enum CellKind {
         len: u32,
         /// Of every element; finite, representable.
         init: f64,
+    },
+    /// Indices by slot: the raw samples of a counter.
+    Counts {
+        /// At least 1.
+        len: u32,
+        /// Of every element; below 2^`bits`.
+        init: u32,
+        /// 16 or 32. Of an index that is written, an element of 16 bits keeps the low 16, and is read as them.
+        bits: u8,
     },
 }
 

@@ -9,7 +9,7 @@ mod random_program;
 
 use compile::{Answer, Case, Sample, Workshop};
 use deadbeat_codegen::program::builder::Builder;
-use deadbeat_codegen::program::{Field, Function, Program, Scalar, Status, Value};
+use deadbeat_codegen::program::{Field, Function, Kind, Program, Scalar, Status, Value};
 use random_program::{random_inputs, random_program};
 
 /// How many random Programs; twice as many with `DEADBEAT_DEEP=1`, as `.ci/run` says.
@@ -63,7 +63,7 @@ fn compare(workshop: &Workshop, cases: &[Case]) {
 fn long_program(seed: u64) -> Program {
     let scalar = if seed.is_multiple_of(2) { Scalar::F32 } else { Scalar::F64 };
     let mut b = Builder::new(&format!("long_{seed}"), scalar, 0.25);
-    let field = |name: String| Field { name, unit: "V".to_owned(), doc: String::new() };
+    let field = |name: String| Field { name, unit: "V".to_owned(), doc: String::new(), kind: Kind::Float };
     let measured = (0..3).map(|at| b.measurement(field(format!("y{at}")))).collect::<Vec<_>>();
     let known = b.input(field("u".to_owned()));
     let memory = b.float_cell("memory", "the last sum", 0.5);

@@ -12,10 +12,13 @@ mod random_program;
 
 use std::collections::{BTreeSet, HashMap};
 
+use deadbeat_codegen::program::builder::Builder;
 use deadbeat_codegen::program::check::check;
 use deadbeat_codegen::program::interp::Interpreter;
 use deadbeat_codegen::program::listing::listing;
-use deadbeat_codegen::program::{CellKind, Function, Op, Program, Scalar, Statement, Status, TableId, Value};
+use deadbeat_codegen::program::{
+    CellKind, Field, Function, Kind, Op, Program, Scalar, Statement, Status, TableId, Value,
+};
 
 use random_program::{random_inputs, random_program};
 
@@ -59,6 +62,7 @@ impl<'a> Reference<'a> {
             CellKind::Float { init } => vec![Datum::Float(init)],
             CellKind::Index { init } => vec![Datum::Index(init)],
             CellKind::Ring { len, init } => vec![Datum::Float(init); len as usize],
+            CellKind::Counts { len, init, .. } => vec![Datum::Index(init); len as usize],
         });
         Self { program, values: HashMap::new(), cells: cells.collect() }
     }
@@ -66,7 +70,7 @@ impl<'a> Reference<'a> {
     fn step(&mut self, given: &(Vec<f64>, Vec<f64>)) -> (Vec<f64>, Status) {
         self.values.clear();
         self.body(&self.program.body, given, None);
-        let estimates = self.program.estimates.iter().map(|(_, value)| self.float(*value)).collect();
+        let estimates = self.program.estimates.iter().map(|(_, value)| number(&self.values[value])).collect();
         let Datum::Status(status) = self.values[&self.program.status] else { panic!("not a status") };
         (estimates, status)
     }
@@ -84,7 +88,11 @@ impl<'a> Reference<'a> {
                 }
                 Statement::SetRing { ring, slot, value } => {
                     let slot = self.index(*slot) as usize;
-                    self.cells[usize::from(ring.0)][slot] = self.values[value];
+                    let kept = match (&self.program.cells[usize::from(ring.0)].kind, self.values[value]) {
+                        (CellKind::Counts { bits: 16, .. }, Datum::Index(x)) => Datum::Index(x % 0x1_0000),
+                        (_, kept) => kept,
+                    };
+                    self.cells[usize::from(ring.0)][slot] = kept;
                 }
                 Statement::Loop(inner) => {
                     for carried in &inner.carried {
@@ -138,6 +146,18 @@ impl<'a> Reference<'a> {
                 Scalar::F32 => Datum::Float(f64::from(self.index(*a) as f32)),
                 Scalar::F64 => Datum::Float(f64::from(self.index(*a))),
             },
+            Op::SignedToFloat(a) => {
+                let signed = i64::from(self.index(*a)) - if self.index(*a) >= 1 << 31 { 1 << 32 } else { 0 };
+                match self.program.scalar {
+                    Scalar::F32 => Datum::Float(f64::from(signed as f32)),
+                    Scalar::F64 => Datum::Float(signed as f64),
+                }
+            }
+            Op::Count(at) => {
+                let wrapped = (given.0[usize::from(*at)] as i64).rem_euclid(1 << 32);
+                assert!(matches!(self.program.measurements[usize::from(*at)].kind, Kind::Count { .. }));
+                Datum::Index(u32::try_from(wrapped).expect("below 2^32"))
+            }
             _ => Datum::Index(self.count(op)),
         }
     }
@@ -163,6 +183,21 @@ impl<'a> Reference<'a> {
                 count => count - 1,
             },
             Op::AtMost { value, max } => self.index(value).min(max),
+            Op::WrapAdd(a, b) => modulo(i64::from(self.index(a)) + i64::from(self.index(b)), 32),
+            Op::Difference { a, b, bits } => {
+                let difference = modulo(i64::from(self.index(a)) - i64::from(self.index(b)), bits);
+                let is_negative = difference >= 1 << (bits - 1);
+                modulo(i64::from(difference) - if is_negative { 1 << bits } else { 0 }, 32)
+            }
+            Op::FromFloat(a) => {
+                let ends = match self.program.scalar {
+                    Scalar::F32 => [-2_147_483_648.0, 2_147_483_520.0],
+                    Scalar::F64 => [-2_147_483_648.0, 2_147_483_647.0],
+                };
+                let x = self.float(a);
+                let within = if x.is_nan() { 0.0 } else { x.max(ends[0]).min(ends[1]) };
+                modulo(within.trunc() as i64, 32)
+            }
             _ => panic!("{op:?} has no index as its result"),
         }
     }
@@ -216,13 +251,22 @@ impl<'a> Reference<'a> {
 
     /// What the cells hold, as the interpreter tells it.
     fn cells(&self) -> Vec<Vec<f64>> {
-        let number = |datum: &Datum| match *datum {
-            Datum::Float(x) => x,
-            Datum::Index(x) => f64::from(x),
-            Datum::Bool(_) | Datum::Status(_) => panic!("no cell holds that"),
-        };
         self.cells.iter().map(|cell| cell.iter().map(number).collect()).collect()
     }
+}
+
+/// What a cell or an estimate holds, as the interpreter tells it.
+fn number(datum: &Datum) -> f64 {
+    match *datum {
+        Datum::Float(x) => x,
+        Datum::Index(x) => f64::from(x),
+        Datum::Bool(_) | Datum::Status(_) => panic!("no cell or estimate holds that"),
+    }
+}
+
+/// The number modulo 2^`bits`.
+fn modulo(x: i64, bits: u8) -> u32 {
+    u32::try_from(x.rem_euclid(1 << bits)).expect("at most 32 bits")
 }
 
 /// The same bits, or NaN in both.
@@ -309,7 +353,12 @@ fn seeds_cover_every_operation() {
         "CountDown",
         "AtMost",
         "ToFloat",
+        "SignedToFloat",
+        "FromFloat",
+        "WrapAdd",
+        "Difference",
         "Measurement",
+        "Count",
         "Input",
         "Cell",
         "Ring",
@@ -343,4 +392,70 @@ fn seeds_cover_every_operation() {
         assert_eq!(seen, everything, "{scalar}");
         assert_eq!(statements.len(), 6, "{scalar}: {statements:?}");
     }
+}
+
+/// A Program that answers how far a counter came since the call before, how far since three calls before by a ring,
+/// and the count itself as a float.
+fn counter(bits: u8, signed: bool) -> Program {
+    let field = |name: &str, kind| Field { name: name.to_owned(), unit: String::new(), doc: String::new(), kind };
+    let mut b = Builder::new("counter", Scalar::F32, 0.125);
+    let n = b.measurement(field("n", Kind::Count { bits, signed }));
+    let last = b.index_cell("last", "the count before", 0);
+    let (ring, newest) = (b.counts("ring", "the last counts", 3, bits, 0), b.index_cell("newest", "", 0));
+    let (now, before, slot) = (b.read_count(n), b.read(last), b.read(newest));
+    b.set(last, now);
+    let slot = b.advance(slot, 3);
+    b.set(newest, slot);
+    let oldest = b.read_ring(ring, slot);
+    b.set_ring(ring, slot, now);
+    for (name, count) in [("step", before), ("window", oldest)] {
+        let moved = b.wrap_difference(now, count, bits);
+        let moved = b.signed_to_float(moved);
+        b.estimate(field(name, Kind::Float), moved);
+    }
+    let number = if signed { b.signed_to_float(now) } else { b.to_float(now) };
+    b.estimate(field("count", Kind::Float), number);
+    b.estimate(field("raw", Kind::Float), now);
+    let status = b.status(Status::Converged);
+    b.report(status);
+    b.finish()
+}
+
+/// What the counter's Program answers to these counts.
+fn counted(bits: u8, signed: bool, counts: &[f64]) -> Vec<Vec<f64>> {
+    let program = counter(bits, signed);
+    let mut interpreter = Interpreter::new(&program);
+    let mut answer = |count: &f64| {
+        let mut estimates = vec![0.0; 4];
+        interpreter.step(&[*count], &[], &mut estimates);
+        estimates
+    };
+    counts.iter().map(&mut answer).collect()
+}
+
+/// Claim: a counter that overflows moves on by what it counted, in both directions, with 16 and with 32 bits, with and
+/// without a sign; and so it does across a window.
+#[test]
+fn counters_overflow() {
+    for (bits, signed) in [(16, true), (16, false), (32, true), (32, false)] {
+        let turn = f64::from(bits).exp2();
+        let (low, high) = if signed { (-turn / 2.0, turn / 2.0 - 1.0) } else { (0.0, turn - 1.0) };
+        let answers = counted(bits, signed, &[high - 1.0, low + 3.0, high, low + 100.0, high - 400.0]);
+        let column = |at: usize| answers.iter().map(|it| it[at]).collect::<Vec<_>>();
+        assert_eq!(column(0)[1..], [5.0, -4.0, 101.0, -501.0], "{bits} {signed}");
+        assert_eq!(column(1)[3..], [102.0, -404.0], "{bits} {signed}");
+    }
+}
+
+/// Claim: a count is extended by its sign, and a number that its counter cannot show counts as documented.
+#[test]
+fn counts_are_extended() {
+    let answers = counted(16, true, &[-1.0, -32_768.0, 1e9, f64::NAN, -2.75, f64::NEG_INFINITY]);
+    let column = |at: usize| answers.iter().map(|it| it[at]).collect::<Vec<_>>();
+    assert_eq!(column(2), [-1.0, -32_768.0, 32_767.0, 0.0, -2.0, -32_768.0]);
+    assert_eq!(column(3), [4_294_967_295.0, 4_294_934_528.0, 32_767.0, 0.0, 4_294_967_294.0, 4_294_934_528.0]);
+    let answers = counted(32, false, &[4_294_967_295.0, -1.0, 1e10]);
+    let column = |at: usize| answers.iter().map(|it| it[at]).collect::<Vec<_>>();
+    assert_eq!(column(2), [4_294_967_296.0, 0.0, 4_294_967_296.0]);
+    assert_eq!(column(3), [4_294_967_295.0, 0.0, 4_294_967_295.0]);
 }

@@ -139,6 +139,7 @@ impl<'a> Plan<'a> {
             CellKind::Float { .. } => self.float_bytes(),
             CellKind::Index { .. } => 8,
             CellKind::Ring { len, .. } => *len as usize * self.float_bytes(),
+            CellKind::Counts { len, bits, .. } => *len as usize * usize::from(bits / 8),
         };
         self.program.cells.iter().map(|one| cell(&one.kind)).sum()
     }

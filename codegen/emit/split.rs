@@ -154,7 +154,7 @@ fn frame(source: &Loop) -> usize {
 mod tests {
     use super::*;
     use crate::program::builder::Builder;
-    use crate::program::{Field, Scalar, Status};
+    use crate::program::{Field, Kind, Scalar, Status};
 
     /// A chain of additions and products.
     fn chain(b: &mut Builder, start: Value, length: usize) -> Value {
@@ -163,7 +163,7 @@ mod tests {
 
     /// A Program with sections of these lengths and a loop whose body has that many operations.
     fn program(sections: &[usize], body: usize) -> Program {
-        let field = || Field { name: "y".to_owned(), unit: String::new(), doc: String::new() };
+        let field = || Field { name: "y".to_owned(), unit: String::new(), doc: String::new(), kind: Kind::Float };
         let mut b = Builder::new("long", Scalar::F64, 1.0);
         let y = b.measurement(field());
         let table = b.table("GAINS", "", vec!["gain".to_owned()], vec![vec![0.5]; 3]);

@@ -2,11 +2,16 @@
 
 use super::{Door, Header, c_header, c_source, rust, rust_tokens};
 use crate::program::builder::Builder;
-use crate::program::{Field, Function, Program, Scalar, Status};
+use crate::program::{Field, Function, Kind, Program, Scalar, Status};
 
 /// A Program with all that a file can hold, and texts that try to leave their place.
 fn program() -> Program {
-    let field = |name: &str, doc: &str| Field { name: name.to_owned(), unit: "rad_s".to_owned(), doc: doc.to_owned() };
+    let field = |name: &str, doc: &str| Field {
+        name: name.to_owned(),
+        unit: "rad_s".to_owned(),
+        doc: doc.to_owned(),
+        kind: Kind::Float,
+    };
     let mut b = Builder::new("arm", Scalar::F32, 0.125);
     let y = b.measurement(field("theta", "*/ int hidden; /*"));
     let u = b.input(field("torque", ""));

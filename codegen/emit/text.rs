@@ -43,6 +43,9 @@ fn markdown_word(word: &str) -> String {
     }
 }
 
+/// The note on the use of a measurement that is a count.
+pub const RAW_COUNT: &str = "raw count, never missing";
+
 /// What the documentation of a field says: its description, its unit, and a note on its use.
 pub fn field(field: &Field, note: &str) -> String {
     let unit = if field.unit.is_empty() && field.doc.is_empty() { "no unit" } else { &field.unit };

@@ -22,7 +22,7 @@ use self::fold::{Folded, fold};
 use self::share::Shared;
 use super::check::Flaw;
 use super::check::typing::{Context, expect};
-use super::{CellId, Field, Op, Program, Scalar, Statement, TableId, Type, Value};
+use super::{CellId, Field, Kind, Op, Program, Scalar, Statement, TableId, Type, Value};
 
 /// A Program being written.
 pub struct Builder {
@@ -94,18 +94,22 @@ impl Builder {
 
     /// Writes one element of a ring.
     pub fn set_ring(&mut self, ring: CellId, slot: Value, value: Value) {
-        let written = (self.context().ring(ring).map(|_| ()))
-            .and_then(|()| self.has(slot, Type::Index))
-            .and_then(|()| self.has(value, Type::Float));
+        let written = (self.context().element(ring))
+            .and_then(|element| self.has(value, element))
+            .and_then(|()| self.has(slot, Type::Index));
         self.require("set_ring", written);
         self.shared.write(ring);
         self.program.body.push(Statement::SetRing { ring, slot, value });
     }
 
-    /// The next estimate that a call returns.
+    /// The next estimate that a call returns: a float, or an index, which makes the field one.
     pub fn estimate(&mut self, field: Field, value: Value) {
-        self.require(&field.name, self.has(value, Type::Float));
-        self.program.estimates.push((field, value));
+        let kind = match self.visible(value) {
+            Ok(Type::Index) => Kind::Index,
+            _ => Kind::Float,
+        };
+        self.require(&field.name, self.has(value, if kind == Kind::Index { Type::Index } else { Type::Float }));
+        self.program.estimates.push((Field { kind, ..field }, value));
     }
 
     /// What a call reports.

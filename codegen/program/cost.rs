@@ -29,9 +29,8 @@ pub struct Cost {
     pub loads: u64,
     /// Writes of cells and rings, and of what is returned.
     pub stores: u64,
-    /// Operations and comparisons of indices, conversions to float, and steps of loops.
+    /// Operations and comparisons of indices, conversions to and from float, and steps of loops.
     pub index_operations: u64,
-    /// Float additions, multiplications, divisions, comparisons and selects, and each call with its
     /// Float additions, multiplications, divisions, comparisons and selects, and each call with its
     /// weight.
     pub flops_worst: u64,
@@ -108,10 +107,18 @@ impl Cost {
             | Op::CountUp { .. }
             | Op::CountDown(_)
             | Op::AtMost { .. }
-            | Op::ToFloat(_) => &mut self.index_operations,
-            Op::Measurement(_) | Op::Input(_) | Op::Cell(_) | Op::Ring { .. } | Op::Lookup { .. } | Op::Gain { .. } => {
-                &mut self.loads
-            }
+            | Op::WrapAdd(..)
+            | Op::Difference { .. }
+            | Op::ToFloat(_)
+            | Op::SignedToFloat(_)
+            | Op::FromFloat(_) => &mut self.index_operations,
+            Op::Measurement(_)
+            | Op::Count(_)
+            | Op::Input(_)
+            | Op::Cell(_)
+            | Op::Ring { .. }
+            | Op::Lookup { .. }
+            | Op::Gain { .. } => &mut self.loads,
         };
         *counter += times;
     }
@@ -138,12 +145,13 @@ impl fmt::Display for Cost {
 #[cfg(test)]
 mod tests {
     use super::super::builder::Builder;
-    use super::super::{Field, Scalar, Status};
+    use super::super::{Field, Kind, Scalar, Status};
     use super::*;
 
     /// A window of 100 samples weighted by two columns, and the sine of one sum.
     fn window(scalar: Scalar) -> Program {
-        let field = |name: &str| Field { name: name.to_owned(), unit: String::new(), doc: String::new() };
+        let field =
+            |name: &str| Field { name: name.to_owned(), unit: String::new(), doc: String::new(), kind: Kind::Float };
         let mut b = Builder::new("window", scalar, 0.5);
         let y = b.measurement(field("y"));
         let head = b.index_cell("head", "", 0);
@@ -187,6 +195,28 @@ mod tests {
     #[test]
     fn alignment() {
         assert_eq!(cost(&window(Scalar::F64), &[]).ram_bytes, 8 + 800);
+    }
+
+    /// Claim: a ring of 16-bit counts takes 2 bytes for each, and a 4-byte cell behind it is aligned.
+    #[test]
+    fn counts_are_small() {
+        let field = |name: &str, kind| Field { name: name.to_owned(), unit: String::new(), doc: String::new(), kind };
+        let ram = |bits| {
+            let mut b = Builder::new("counts", Scalar::F64, 0.5);
+            let n = b.measurement(field("n", Kind::Count { bits, signed: true }));
+            let (ring, last) = (b.counts("ring", "", 5, bits, 0), b.index_cell("last", "", 0));
+            let (slot, now) = (b.index(3), b.read_count(n));
+            b.set_ring(ring, slot, now);
+            let before = b.read(last);
+            b.set(last, now);
+            let kept = b.read_ring(ring, slot);
+            let sum = b.wrap_add(before, kept);
+            b.estimate(field("sum", Kind::Float), sum);
+            let status = b.status(Status::Converged);
+            b.report(status);
+            cost(&b.finish(), &[]).ram_bytes
+        };
+        assert_eq!((ram(16), ram(32)), (16, 24));
     }
 
     /// Claim: what is not there is not listed.

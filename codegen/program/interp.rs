@@ -54,7 +54,9 @@ impl Interpreter {
     /// One call of the step function.
     ///
     /// Measurements and inputs are rounded to nearest even if the Program computes in `f32`;
-    /// estimates are widened exactly.
+    /// estimates are widened exactly. A measurement that is a count is a whole number that its
+    /// counter can show; of another number the fraction is cut off, what is beyond the counter's
+    /// range is its end, and NaN is 0.
     ///
     /// # Panics
     /// If a slice has not exactly one element for each field.

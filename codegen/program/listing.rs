@@ -7,7 +7,7 @@
 mod operation;
 
 use super::literal::float;
-use super::{CellId, CellKind, Field, Loop, Program, Statement, Table, TableId};
+use super::{CellId, CellKind, Field, Kind, Loop, Program, Statement, Table, TableId};
 
 /// The whole Program.
 #[must_use]
@@ -47,9 +47,13 @@ fn block(text: &mut String, heading: &str, lines: Vec<String>) {
 
 /// `name [unit]  description`, one line each, in columns.
 fn fields(fields: &[Field]) -> Vec<String> {
-    let named = |field: &Field| match field.unit.as_str() {
-        "" => field.name.clone(),
-        unit => format!("{} [{unit}]", field.name),
+    let named = |field: &Field| {
+        let name = match field.kind {
+            Kind::Float => field.name.clone(),
+            Kind::Count { bits, signed } => format!("{}: {}{bits}", field.name, if signed { 'i' } else { 'u' }),
+            Kind::Index => format!("{}: index", field.name),
+        };
+        if field.unit.is_empty() { name } else { format!("{name} [{}]", field.unit) }
     };
     columns(fields.iter().map(|field| (named(field), field.doc.clone())).collect())
 }
@@ -60,6 +64,7 @@ fn cells(program: &Program) -> Vec<String> {
         CellKind::Float { init } => float(init, program.scalar),
         CellKind::Index { init } => init.to_string(),
         CellKind::Ring { len, init } => format!("{len} * {}", float(init, program.scalar)),
+        CellKind::Counts { len, init, bits } => format!("{len} * {init} of {bits} bits"),
     };
     let named = program.cells.iter().map(|cell| (format!("{} = {}", cell.name, started(&cell.kind)), cell.doc.clone()));
     columns(named.collect())
@@ -152,6 +157,7 @@ mod tests {
             name: name.to_owned(),
             unit: unit.to_owned(),
             doc: doc.to_owned(),
+            kind: Kind::Float,
         };
         let mut b = Builder::new("mean_rate", Scalar::F32, 0.125);
         let y = b.measurement(field("y", "rad", "shaft angle"));

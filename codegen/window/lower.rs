@@ -28,7 +28,7 @@ use crate::design::Settled;
 use crate::diagnostic::Diagnostic;
 use crate::plant::Plant;
 use crate::program::builder::Builder;
-use crate::program::{Field, Program, Value};
+use crate::program::{Field, Kind, Program, Value};
 
 use super::{Functional, Way};
 use cells::Cells;
@@ -199,7 +199,7 @@ fn bounded(calls: usize) -> u32 {
 }
 
 pub(crate) fn field(name: &str, unit: &str, doc: &str) -> Field {
-    Field { name: name.to_owned(), unit: unit.to_owned(), doc: doc.to_owned() }
+    Field { name: name.to_owned(), unit: unit.to_owned(), doc: doc.to_owned(), kind: Kind::Float }
 }
 
 /// A count of samples, rows or blocks as a Program has it.

@@ -19,7 +19,7 @@ use std::{env, fs, thread};
 
 use deadbeat_codegen::emit::{self, Header};
 use deadbeat_codegen::program::interp::Interpreter;
-use deadbeat_codegen::program::{Program, Scalar};
+use deadbeat_codegen::program::{Field, Kind, Program, Scalar};
 
 /// What one call gets.
 #[derive(Clone, Debug)]
@@ -71,28 +71,41 @@ impl Case {
 
     /// The samples as raw numbers.
     fn bytes(&self) -> Vec<u8> {
-        let numbers = self.samples.iter().flat_map(|it| it.measurements.iter().chain(&it.inputs));
-        match self.program.scalar {
-            #[expect(clippy::cast_possible_truncation, reason = "as the interpreter rounds")]
-            Scalar::F32 => numbers.flat_map(|x| (*x as f32).to_ne_bytes()).collect(),
-            Scalar::F64 => numbers.flat_map(|x| x.to_ne_bytes()).collect(),
+        let fields = || self.program.measurements.iter().chain(&self.program.inputs);
+        let numbers = |it: &'_ Sample| it.measurements.iter().chain(&it.inputs).copied().collect::<Vec<f64>>();
+        let raw =
+            |it: &Sample| fields().zip(numbers(it)).flat_map(|(field, x)| self.raw(field, x)).collect::<Vec<u8>>();
+        self.samples.iter().flat_map(raw).collect()
+    }
+
+    /// A number as the field holds it.
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "as the interpreter converts")]
+    fn raw(&self, field: &Field, x: f64) -> Vec<u8> {
+        match (field.kind, self.program.scalar) {
+            (Kind::Count { bits: 16, signed: true }, _) => (x as i16).to_ne_bytes().to_vec(),
+            (Kind::Count { bits: 16, signed: false }, _) => (x as u16).to_ne_bytes().to_vec(),
+            (Kind::Count { signed: true, .. }, _) => (x as i32).to_ne_bytes().to_vec(),
+            (Kind::Count { signed: false, .. } | Kind::Index, _) => (x as u32).to_ne_bytes().to_vec(),
+            (Kind::Float, Scalar::F32) => (x as f32).to_ne_bytes().to_vec(),
+            (Kind::Float, Scalar::F64) => x.to_ne_bytes().to_vec(),
         }
     }
 
     /// The answers at the front of raw output, which then begins behind them.
     fn answers(&self, output: &mut &[u8]) -> Vec<Answer> {
         let answer = |_: &Sample| Answer {
-            estimates: self.program.estimates.iter().map(|_| self.number(output)).collect(),
+            estimates: self.program.estimates.iter().map(|(field, _)| self.number(field, output)).collect(),
             status: take::<1>(output)[0],
         };
         self.samples.iter().map(answer).collect()
     }
 
     /// One number.
-    fn number(&self, output: &mut &[u8]) -> f64 {
-        match self.program.scalar {
-            Scalar::F32 => f32::from_ne_bytes(take(output)).into(),
-            Scalar::F64 => f64::from_ne_bytes(take(output)),
+    fn number(&self, field: &Field, output: &mut &[u8]) -> f64 {
+        match (field.kind, self.program.scalar) {
+            (Kind::Index, _) => u32::from_ne_bytes(take(output)).into(),
+            (_, Scalar::F32) => f32::from_ne_bytes(take(output)).into(),
+            (_, Scalar::F64) => f64::from_ne_bytes(take(output)),
         }
     }
 }

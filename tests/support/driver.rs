@@ -2,7 +2,7 @@
 //! from the input and writes its answers to the output, as raw numbers.
 
 use deadbeat_codegen::emit::Door;
-use deadbeat_codegen::program::{Field, Program};
+use deadbeat_codegen::program::{Field, Kind, Program, Scalar};
 
 use super::Case;
 
@@ -15,6 +15,15 @@ pub fn all(cases: &[Case]) -> String {
 /// One line of text for each field.
 fn each<'f>(fields: impl IntoIterator<Item = &'f Field>, line: impl Fn(&str) -> String) -> String {
     fields.into_iter().map(|field| line(&field.name)).collect::<Vec<_>>().concat()
+}
+
+/// The type of a field in Rust.
+fn r#type(field: &Field, scalar: Scalar) -> String {
+    match field.kind {
+        Kind::Float => scalar.to_string(),
+        Kind::Count { bits, signed } => format!("{}{bits}", if signed { 'i' } else { 'u' }),
+        Kind::Index => "u32".to_owned(),
+    }
 }
 
 /// The fields of the estimate.
@@ -126,7 +135,10 @@ fn main() {{
 /// The Rust statements that run one observer.
 fn rust_run(Case { program, samples }: &Case) -> String {
     let (name, scalar, count) = (&program.name, program.scalar, samples.len());
-    let get = |fields| each(fields, |field| format!("{field}: {scalar}::from_ne_bytes(get(&mut input)), "));
+    let get = |fields: &[Field]| -> String {
+        let one = |it: &Field| format!("{}: {}::from_ne_bytes(get(&mut input)), ", it.name, r#type(it, scalar));
+        fields.iter().map(one).collect()
+    };
     let measurements = get(&program.measurements);
     let inputs = get(&program.inputs);
     let passed = if program.inputs.is_empty() { String::new() } else { format!(", {name}::Inputs {{ {inputs} }}") };

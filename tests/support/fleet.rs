@@ -417,7 +417,7 @@ fn c_abuse(subject: &Subject, phase: usize) -> String {
                 let at = format!("        fine = fine && isfinite(state.{}[step % {len}]);", cell.name);
                 let _ = writeln!(checks, "{at}");
             }
-            CellKind::Index { .. } => {}
+            CellKind::Index { .. } | CellKind::Counts { .. } => {}
         }
     }
     format!(

@@ -5,7 +5,7 @@
 //! the largest number. Results need not be finite; slots and rows are always in bounds.
 
 use deadbeat_codegen::program::builder::Builder;
-use deadbeat_codegen::program::{CellId, Field, Function, Program, Scalar, Status, TableId, Value};
+use deadbeat_codegen::program::{CellId, Field, Function, Kind, Program, Scalar, Status, TableId, Value};
 
 /// The Program of that seed.
 pub fn random_program(seed: u64) -> Program {
@@ -17,6 +17,7 @@ pub fn random_program(seed: u64) -> Program {
         pools: Pools::default(),
         cells: vec![],
         rings: vec![],
+        counts: vec![],
         tables: vec![],
         columns: None,
         calls: seed.is_multiple_of(CALLING),
@@ -32,11 +33,18 @@ pub fn random_program(seed: u64) -> Program {
 }
 
 /// Measurements and inputs for that many steps: ordinary numbers, zeros of both signs, subnormals,
-/// huge numbers, infinities and NaN. Numbers are exact in the Program's scalar type.
+/// huge numbers, infinities and NaN; counts anywhere in their range. Numbers are exact in the
+/// Program's scalar type.
 pub fn random_inputs(seed: u64, program: &Program, steps: usize) -> Vec<(Vec<f64>, Vec<f64>)> {
     let mut random = Random::new(!seed);
-    let mut numbers = |count: usize| (0..count).map(|_| random.sample(program.scalar)).collect();
-    (0..steps).map(|_| (numbers(program.measurements.len()), numbers(program.inputs.len()))).collect()
+    let mut numbers = |fields: &[Field]| {
+        let number = |field: &Field| match field.kind {
+            Kind::Count { bits, signed } => random.count(bits, signed),
+            Kind::Float | Kind::Index => random.sample(program.scalar),
+        };
+        fields.iter().map(number).collect()
+    };
+    (0..steps).map(|_| (numbers(&program.measurements), numbers(&program.inputs))).collect()
 }
 
 /// Marsaglia's xorshift64.
@@ -97,6 +105,14 @@ impl Random {
         }
     }
 
+    /// What a counter may show: often one of its ends.
+    fn count(&mut self, bits: u8, signed: bool) -> f64 {
+        let all = self.next() >> (64 - u32::from(bits));
+        let raw = self.pick(&[all, all, 0, 1, u64::from(u32::MAX >> (32 - bits)), 1 << (bits - 1)]);
+        let raw = u32::try_from(raw).expect("at most 32 bits");
+        if signed { f64::from((raw << (32 - bits)).cast_signed() >> (32 - bits)) } else { f64::from(raw) }
+    }
+
     /// A number that a sensor may give, or not a number.
     fn sample(&mut self, scalar: Scalar) -> f64 {
         match self.between(0, 19) {
@@ -126,6 +142,7 @@ struct Writer {
     pools: Pools,
     cells: Vec<CellId>,
     rings: Vec<(CellId, u32)>,
+    counts: Vec<(CellId, u32)>,
     /// With their numbers of rows and columns.
     tables: Vec<(TableId, u32, u16)>,
     /// In a loop, the columns of its table.
@@ -150,6 +167,12 @@ impl Writer {
             self.pools.floats.push(value);
         }
         for at in 0..self.random.between(0, 2) {
+            let kind = Kind::Count { bits: self.random.pick(&[16, 32]), signed: self.random.chance(2) };
+            let field = self.b.measurement(Field { kind, ..field(&format!("n{at}"), "") });
+            let value = self.b.read_count(field);
+            self.pools.indices.push(value);
+        }
+        for at in 0..self.random.between(0, 2) {
             let field = self.b.input(field(&format!("u{at}"), "V"));
             let value = self.b.read_input(field);
             self.pools.floats.push(value);
@@ -165,6 +188,10 @@ impl Writer {
         for _ in 0..2 {
             let (len, init) = (self.random.between(1, 9), self.constant());
             self.rings.push((self.b.ring("window", "samples", len, init), len));
+        }
+        for bits in [16, 32] {
+            let (len, init) = (self.random.between(1, 9), self.random.pick(&[0, 7, u32::MAX >> (32 - bits)]));
+            self.counts.push((self.b.counts("counts", "raw samples", len, bits, init), len));
         }
         for _ in 0..2 {
             let (rows, columns) = (self.random.between(1, 7), self.random.pick(&[1, 2, 3]));
@@ -312,10 +339,14 @@ impl Writer {
 
     /// A float from somewhere else.
     fn float(&mut self) {
-        let value = match self.random.between(0, 4) {
+        let value = match self.random.between(0, 5) {
             0 => {
                 let cell = self.random.pick(&self.cells[..FLOAT_CELLS]);
                 self.b.read(cell)
+            }
+            5 => {
+                let index = self.any_index();
+                self.b.signed_to_float(index)
             }
             1 => {
                 let (ring, len) = self.random.pick(&self.rings);
@@ -374,11 +405,12 @@ impl Writer {
 
     /// An index of any size.
     fn index(&mut self) {
-        let value = match self.random.between(0, 4) {
+        let value = match self.random.between(0, 9) {
             0 => {
                 let number = self.random.pick(&[0, 1, 2, 7, 1000, u32::MAX]);
                 self.b.index(number)
             }
+            kind @ 5..=9 => self.counted(kind),
             1 | 2 => {
                 let cell = self.random.pick(&self.cells[FLOAT_CELLS..]);
                 self.b.read(cell)
@@ -393,6 +425,27 @@ impl Writer {
             }
         };
         self.pools.indices.push(value);
+    }
+
+    /// An index as a counter's readings are handled.
+    fn counted(&mut self, kind: u32) -> Value {
+        let (a, b) = (self.any_index(), self.any_index());
+        match kind {
+            5 => {
+                let float = self.any_float();
+                self.b.from_float(float)
+            }
+            6 => self.b.wrap_add(a, b),
+            7 | 8 => {
+                let bits = self.random.pick(&[16, 32]);
+                self.b.wrap_difference(a, b, bits)
+            }
+            _ => {
+                let (ring, len) = self.random.pick(&self.counts);
+                let slot = self.slot_below(len);
+                self.b.read_ring(ring, slot)
+            }
+        }
     }
 
     /// A bounded index.
@@ -447,7 +500,12 @@ impl Writer {
 
     /// Writes a cell or an element of a ring.
     fn write(&mut self) {
-        match self.random.between(0, 2) {
+        match self.random.between(0, 3) {
+            3 => {
+                let (ring, len) = self.random.pick(&self.counts);
+                let (slot, value) = (self.slot_below(len), self.any_index());
+                self.b.set_ring(ring, slot, value);
+            }
             0 => {
                 let (cell, value) = (self.random.pick(&self.cells[..FLOAT_CELLS]), self.any_float());
                 self.b.set(cell, value);
@@ -474,6 +532,7 @@ impl Writer {
         let (one, count) = (self.b.float(1.0), self.b.to_float(index));
         let flag = self.b.select(truth, one, count);
         self.b.estimate(field("flag", ""), flag);
+        self.b.estimate(field("number", ""), index);
         let status = self.any_status();
         self.b.report(status);
         self.b.finish()
@@ -505,5 +564,5 @@ impl Writer {
 
 /// A field without a description.
 fn field(name: &str, unit: &str) -> Field {
-    Field { name: name.to_owned(), unit: unit.to_owned(), doc: String::new() }
+    Field { name: name.to_owned(), unit: unit.to_owned(), doc: String::new(), kind: Kind::Float }
 }

@@ -124,13 +124,13 @@ mod tests {
     use super::super::{ExactSliding, ORDERS, whole};
     use super::*;
     use crate::program::interp::Interpreter;
-    use crate::program::{Field, Program, Status};
+    use crate::program::{Field, Kind, Program, Status};
     use crate::real::Real;
 
     /// The corrections as estimates of a measured innovation.
     fn program(law: &Sliding, scalar: Scalar, largest: f64) -> Program {
         let mut b = Builder::new("law", scalar, 1.0);
-        let field = |name: String| Field { name, unit: String::new(), doc: String::new() };
+        let field = |name: String| Field { name, unit: String::new(), doc: String::new(), kind: Kind::Float };
         b.measurement(field("e".to_owned()));
         let e = b.read_measurement(0);
         for (j, correction) in law.corrections(&mut b, e, largest).into_iter().enumerate() {

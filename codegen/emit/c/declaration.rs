@@ -1,9 +1,9 @@
 //! Fields, cells and tables.
 
 use super::super::names;
-use super::super::text::{c_comment, field as described, rows};
+use super::super::text::{RAW_COUNT, c_comment, field as described, rows};
 use super::{C, TableText};
-use crate::program::{Cell, CellKind, Field, Table, TableId};
+use crate::program::{Cell, CellKind, Field, Kind, Table, TableId};
 
 /// A field of a struct: `float theta;` and what the comment behind it says.
 struct Declared {
@@ -29,8 +29,12 @@ impl C<'_> {
 
     /// A field of a struct of the interface.
     fn field(&self, field: &Field, note: &str) -> Declared {
-        let text = format!("{} {};", self.scalar(), field.name);
-        Declared { text, doc: c_comment(&described(field, note)) }
+        let (r#type, note) = match field.kind {
+            Kind::Float => (self.scalar().to_owned(), note),
+            Kind::Count { bits, signed } => (format!("{}int{bits}_t", if signed { "" } else { "u" }), RAW_COUNT),
+            Kind::Index => ("uint32_t".to_owned(), note),
+        };
+        Declared { text: format!("{type} {};", field.name), doc: c_comment(&described(field, note)) }
     }
 
     /// The fields of the state.
@@ -45,6 +49,7 @@ impl C<'_> {
             CellKind::Float { .. } => format!("{} {name};", self.scalar()),
             CellKind::Index { .. } => format!("uint32_t {name};"),
             CellKind::Ring { len, .. } => format!("{} {name}[{len}];", self.scalar()),
+            CellKind::Counts { len, bits, .. } => format!("uint{bits}_t {name}[{len}];"),
         };
         Declared { text, doc: c_comment(doc) }
     }
@@ -55,11 +60,8 @@ impl C<'_> {
         match cell.kind {
             CellKind::Float { init } => vec![format!("state->{name} = {};", self.float(init))],
             CellKind::Index { init } => vec![format!("state->{name} = {init}U;")],
-            CellKind::Ring { len, init } => vec![
-                format!("for (uint32_t slot = 0U; slot < {len}U; ++slot) {{"),
-                format!("    state->{name}[slot] = {};", self.float(init)),
-                "}".to_owned(),
-            ],
+            CellKind::Ring { len, init } => filled(name, len, &self.float(init)),
+            CellKind::Counts { len, init, .. } => filled(name, len, &format!("{init}U")),
         }
     }
 
@@ -82,6 +84,15 @@ impl C<'_> {
         let numbers = self.plan.crossing.iter().filter(|value| !self.plan.flags.contains(value));
         numbers.map(|value| format!("{} {}", self.type_of(*value), names::temporary(*value))).collect()
     }
+}
+
+/// The statements that give every element of a ring its first value.
+fn filled(name: &str, len: u32, init: &str) -> Vec<String> {
+    vec![
+        format!("for (uint32_t slot = 0U; slot < {len}U; ++slot) {{"),
+        format!("    state->{name}[slot] = {init};"),
+        "}".to_owned(),
+    ]
 }
 
 /// Fields with their comments below each other.

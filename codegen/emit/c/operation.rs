@@ -70,8 +70,21 @@ impl C<'_> {
                 bounded(&v(value), *max, |value, max| format!("({value} < {max}U) ? {value} : {max}U"))
             }
             Op::ToFloat(index) => format!("({}){}", self.scalar(), v(index)),
+            Op::SignedToFloat(index) => {
+                let (scalar, index) = (self.scalar(), v(index));
+                format!("({index} < 2147483648U) ? ({scalar}){index} : -({scalar})(0U - {index})")
+            }
+            Op::FromFloat(x) => {
+                format!("{}_index_from_{}({})", self.plan.names.lower, self.plan.program.scalar, v(x))
+            }
+            Op::WrapAdd(a, b) => format!("{} + {}", v(a), v(b)),
+            Op::Difference { a, b, bits: 16 } => format!("((({} - {}) + 32768U) & 65535U) - 32768U", v(a), v(b)),
+            Op::Difference { a, b, .. } => format!("{} - {}", v(a), v(b)),
             Op::Measurement(at) => {
                 format!("measurements->{}", self.plan.program.measurements[usize::from(*at)].name)
+            }
+            Op::Count(at) => {
+                format!("(uint32_t)measurements->{}", self.plan.program.measurements[usize::from(*at)].name)
             }
             Op::Input(at) => format!("inputs->{}", self.plan.program.inputs[usize::from(*at)].name),
             Op::Cell(cell) => self.cell_name(*cell),

@@ -28,9 +28,12 @@ fn called(plan: &Plan) -> BTreeSet<String> {
     let mut names = BTreeSet::new();
     for function in &plan.functions {
         split::visit(&function.items, &mut |item| {
-            if let Item::Plain(Statement::Let { op: Op::Call(function, _), .. }) = item {
-                names.insert(format!("{}_{}", function.name(), plan.program.scalar));
-            }
+            let name = match item {
+                Item::Plain(Statement::Let { op: Op::Call(function, _), .. }) => function.name(),
+                Item::Plain(Statement::Let { op: Op::FromFloat(_), .. }) => "index_from",
+                _ => return,
+            };
+            names.insert(format!("{name}_{}", plan.program.scalar));
         });
     }
     names

@@ -5,7 +5,7 @@ use super::super::plan::{Function, Place};
 use super::super::split::Item;
 use super::super::text::c_comment;
 use super::C;
-use crate::program::{Carried, CellId, Loop, Op, Statement, Value};
+use crate::program::{Carried, CellId, CellKind, Loop, Op, Statement, Value};
 
 impl C<'_> {
     /// The statements of a function, without its own indentation.
@@ -40,8 +40,12 @@ impl C<'_> {
                 vec![format!("{} = {};", self.cell_name(*cell), self.value(*value))]
             }
             Item::Plain(Statement::SetRing { ring, slot, value }) => {
+                let narrowed = match self.plan.program.cells[usize::from(ring.0)].kind {
+                    CellKind::Counts { bits: 16, .. } => "(uint16_t)",
+                    _ => "",
+                };
                 let (slot, value) = (self.value(*slot), self.value(*value));
-                vec![format!("{}[{slot}] = {value};", self.cell_name(*ring))]
+                vec![format!("{}[{slot}] = {narrowed}{value};", self.cell_name(*ring))]
             }
             Item::Loop { source, items } => self.looped(source, items),
             Item::Call(callee) => vec![self.call_part(*callee)],

@@ -64,7 +64,7 @@ impl<'a> Plan<'a> {
                     Op::Cell(_) | Op::Ring { .. } => Access::Read,
                     _ => Access::None,
                 },
-                measurements: matches!(op, Op::Measurement(_)),
+                measurements: matches!(op, Op::Measurement(_) | Op::Count(_)),
                 inputs: matches!(op, Op::Input(_)),
                 work: Access::None,
             },

@@ -76,9 +76,13 @@ impl<'a> Plan<'a> {
             | Op::Retreat { .. }
             | Op::CountUp { .. }
             | Op::CountDown(_)
-            | Op::AtMost { .. } => Type::Index,
-            Op::Cell(cell) => match self.program.cells[usize::from(cell.0)].kind {
-                CellKind::Index { .. } => Type::Index,
+            | Op::AtMost { .. }
+            | Op::FromFloat(_)
+            | Op::WrapAdd(..)
+            | Op::Difference { .. }
+            | Op::Count(_) => Type::Index,
+            Op::Cell(cell) | Op::Ring { ring: cell, .. } => match self.program.cells[usize::from(cell.0)].kind {
+                CellKind::Index { .. } | CellKind::Counts { .. } => Type::Index,
                 CellKind::Float { .. } | CellKind::Ring { .. } => Type::Float,
             },
             Op::Float(_)
@@ -89,9 +93,9 @@ impl<'a> Plan<'a> {
             | Op::Div(..)
             | Op::Call(..)
             | Op::ToFloat(_)
+            | Op::SignedToFloat(_)
             | Op::Measurement(_)
             | Op::Input(_)
-            | Op::Ring { .. }
             | Op::Lookup { .. }
             | Op::Gain { .. } => Type::Float,
         }

@@ -8,7 +8,7 @@ use super::super::plan::{Access, Function, Reach};
 use super::item::scalar;
 use super::table::length;
 use super::{Rust, constant, ident};
-use crate::program::{CellKind, TableId};
+use crate::program::{CellKind, Kind, TableId};
 
 /// The largest size in bytes that clippy lets a function take by value.
 pub const BY_VALUE: usize = 256;
@@ -43,6 +43,10 @@ impl Rust<'_> {
                 let (init, len) = (constant::float(init, scalar), constant::index(len));
                 quote!([#init; #len])
             }
+            CellKind::Counts { len, init, .. } => {
+                let (init, len) = (constant::index(init), constant::index(len));
+                quote!([#init; #len])
+            }
         }
     }
 
@@ -64,7 +68,10 @@ impl Rust<'_> {
         let statements = self.statements(&step.items);
         let estimates = program.estimates.iter().map(|(field, value)| {
             let (name, value) = (ident(&field.name), self.value(*value));
-            quote!(#name: #value,)
+            match field.kind {
+                Kind::Index => quote!(#name: ::deadbeat::math::u32_from_index(#value),),
+                Kind::Float | Kind::Count { .. } => quote!(#name: #value,),
+            }
         });
         let status = self.value(program.status);
         quote! {

@@ -18,7 +18,7 @@ impl Rust<'_> {
     pub fn element(&self, ring: CellId, slot: Value) -> TokenStream {
         let cell = &self.plan.program.cells[usize::from(ring.0)];
         let len = match cell.kind {
-            CellKind::Ring { len, .. } => len as usize,
+            CellKind::Ring { len, .. } | CellKind::Counts { len, .. } => len as usize,
             CellKind::Float { .. } | CellKind::Index { .. } => 1,
         };
         let (name, slot) = (field(&quote!(self), &cell.name), self.index(slot, len));

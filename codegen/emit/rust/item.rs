@@ -4,9 +4,9 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::super::plan::Plan;
-use super::super::text::{field as described, markdown};
+use super::super::text::{RAW_COUNT, field as described, markdown};
 use super::{Rust, constant, ident};
-use crate::program::{Cell, CellKind, Field, Scalar, literal};
+use crate::program::{Cell, CellKind, Field, Kind, Scalar, literal};
 
 impl Rust<'_> {
     /// All items.
@@ -75,10 +75,14 @@ impl Rust<'_> {
 
     /// A public field.
     fn field(&self, field: &Field, note: &str) -> TokenStream {
+        let (r#type, note) = match field.kind {
+            Kind::Float => (scalar(self.plan), note),
+            Kind::Count { bits, signed } => (integer(bits, signed), RAW_COUNT),
+            Kind::Index => (integer(32, false), note),
+        };
         let doc = format!(" {}", markdown(&described(field, note)));
         let name = ident(&field.name);
-        let scalar = scalar(self.plan);
-        quote!(#[doc = #doc] pub #name: #scalar,)
+        quote!(#[doc = #doc] pub #name: #r#type,)
     }
 
     /// A private field.
@@ -92,6 +96,10 @@ impl Rust<'_> {
             CellKind::Ring { len, .. } => {
                 let len = constant::index(len);
                 quote!([#scalar; #len])
+            }
+            CellKind::Counts { len, bits, .. } => {
+                let (integer, len) = (integer(bits, false), constant::index(len));
+                quote!([#integer; #len])
             }
         };
         quote!(#doc #name: #r#type,)
@@ -143,6 +151,17 @@ fn in_double(value: f64, scalar: Scalar) -> f64 {
 pub fn documentation(text: &str) -> Option<TokenStream> {
     let doc = format!(" {}", markdown(text));
     (!text.is_empty()).then(|| quote!(#[doc = #doc]))
+}
+
+/// An integer type.
+fn integer(bits: u8, signed: bool) -> TokenStream {
+    let name = ident(&integer_name(bits, signed));
+    quote!(#name)
+}
+
+/// The name of an integer type.
+pub fn integer_name(bits: u8, signed: bool) -> String {
+    format!("{}{bits}", if signed { 'i' } else { 'u' })
 }
 
 /// The float type.

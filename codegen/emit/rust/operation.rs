@@ -4,8 +4,9 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::super::plan::Place;
+use super::item::integer_name;
 use super::{Rust, constant, ident};
-use crate::program::{Function, Op, Status, TableId, Value};
+use crate::program::{CellId, CellKind, Function, Kind, Op, Status, TableId, Value};
 
 impl Rust<'_> {
     /// A value where it is used.
@@ -62,10 +63,15 @@ impl Rust<'_> {
             Op::CountDown(count) => self.count_down(*count),
             Op::AtMost { value, max } => self.at_most(*value, *max),
             Op::ToFloat(index) => self.to_float(*index),
+            Op::SignedToFloat(index) => self.math(&format!("{}_from_signed", self.plan.program.scalar), &[*index]),
+            Op::FromFloat(x) => self.math(&format!("index_from_{}", self.plan.program.scalar), &[*x]),
+            Op::WrapAdd(a, b) => self.math("wrap_add", &[*a, *b]),
+            Op::Difference { a, b, bits } => self.math(&format!("difference_{bits}"), &[*a, *b]),
+            Op::Count(at) => self.count(*at),
             Op::Measurement(at) => field(&quote!(measurements), &self.plan.program.measurements[usize::from(*at)].name),
             Op::Input(at) => field(&quote!(inputs), &self.plan.program.inputs[usize::from(*at)].name),
             Op::Cell(cell) => field(&quote!(self), &self.plan.program.cells[usize::from(cell.0)].name),
-            Op::Ring { ring, slot } => self.element(*ring, *slot),
+            Op::Ring { ring, slot } => self.read_element(*ring, *slot),
             Op::Lookup { table, row, column } => self.lookup(*table, *row, *column),
             Op::Gain { column } => {
                 let column = proc_macro2::Literal::u16_unsuffixed(*column);
@@ -105,9 +111,33 @@ impl Rust<'_> {
 
     /// `math::sin_f32(a)`.
     fn call(&self, function: Function, arguments: &[Value]) -> TokenStream {
-        let name = ident(&format!("{}_{}", function.name(), self.plan.program.scalar));
+        self.math(&format!("{}_{}", function.name(), self.plan.program.scalar), arguments)
+    }
+
+    /// A function of the runtime.
+    fn math(&self, name: &str, arguments: &[Value]) -> TokenStream {
+        let name = ident(name);
         let arguments = arguments.iter().map(|argument| self.value(*argument));
         quote!(::deadbeat::math::#name(#(#arguments),*))
+    }
+
+    /// A measurement that is a count.
+    fn count(&self, at: u16) -> TokenStream {
+        let measured = &self.plan.program.measurements[usize::from(at)];
+        let count = field(&quote!(measurements), &measured.name);
+        match measured.kind {
+            Kind::Count { bits, signed } => extended(bits, signed, &count),
+            Kind::Float | Kind::Index => count,
+        }
+    }
+
+    /// An element of a ring.
+    fn read_element(&self, ring: CellId, slot: Value) -> TokenStream {
+        let element = self.element(ring, slot);
+        match self.plan.program.cells[usize::from(ring.0)].kind {
+            CellKind::Counts { bits, .. } => extended(bits, false, &element),
+            _ => element,
+        }
     }
 
     /// `(low..=high).contains(&a)`.
@@ -178,9 +208,7 @@ impl Rust<'_> {
 
     /// The index as a float.
     fn to_float(&self, index: Value) -> TokenStream {
-        let name = ident(&format!("{}_from_index", self.plan.program.scalar));
-        let index = self.value(index);
-        quote!(::deadbeat::math::#name(#index))
+        self.math(&format!("{}_from_index", self.plan.program.scalar), &[index])
     }
 
     /// An element of a table.
@@ -190,6 +218,12 @@ impl Rust<'_> {
         let column = proc_macro2::Literal::u16_unsuffixed(column);
         quote!(#table[#row][#column])
     }
+}
+
+/// An integer as an index.
+fn extended(bits: u8, signed: bool, count: &TokenStream) -> TokenStream {
+    let name = ident(&format!("index_from_{}", integer_name(bits, signed)));
+    quote!(::deadbeat::math::#name(#count))
 }
 
 /// `self.name`.

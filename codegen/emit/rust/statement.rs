@@ -8,11 +8,11 @@ use super::super::plan::{Access, Place, Reach};
 use super::super::split::Item;
 use super::super::text::plain;
 use super::function::BY_VALUE;
-use super::item::scalar;
+use super::item::{integer_name, scalar};
 use super::operation::field;
 use super::table::length;
 use super::{Rust, ident};
-use crate::program::{Carried, Loop, Op, Statement, TableId, Type, Value};
+use crate::program::{Carried, CellKind, Loop, Op, Statement, TableId, Type, Value};
 
 impl Rust<'_> {
     /// The statements, each below the heading that stands before it.
@@ -50,7 +50,13 @@ impl Rust<'_> {
             }
             Item::Plain(Statement::SetRing { ring, slot, value }) => {
                 let (element, value) = (self.element(*ring, *slot), self.value(*value));
-                quote!(#element = #value;)
+                match self.plan.program.cells[usize::from(ring.0)].kind {
+                    CellKind::Counts { bits, .. } => {
+                        let narrowed = ident(&format!("{}_from_index", integer_name(bits, false)));
+                        quote!(#element = ::deadbeat::math::#narrowed(#value);)
+                    }
+                    _ => quote!(#element = #value;),
+                }
             }
             Item::Loop { source, items } => self.looped(source, items),
             Item::Call(callee) => self.call_part(*callee),

@@ -1,6 +1,6 @@
 //! Declares fields, cells and tables.
 
-use super::super::check::typing::representable;
+use super::super::check::typing::{fits, representable};
 use super::super::{Cell, CellId, CellKind, Field, Table, TableId};
 use super::Builder;
 
@@ -33,6 +33,14 @@ impl Builder {
         assert!(len >= 1, "ring `{name}` has no slot");
         self.require(name, representable(init, self.scalar()));
         self.cell(name, doc, CellKind::Ring { len, init })
+    }
+
+    /// Declares `len` indices by slot, of which the low 16 or 32 `bits` are kept; named as
+    /// [`Builder::float_cell`].
+    pub fn counts(&mut self, name: &str, doc: &str, len: u32, bits: u8, init: u32) -> CellId {
+        assert!(len >= 1, "ring `{name}` has no slot");
+        self.require(name, fits(init, bits));
+        self.cell(name, doc, CellKind::Counts { len, init, bits })
     }
 
     /// Declares a cell.

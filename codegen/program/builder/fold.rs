@@ -4,7 +4,7 @@
 //! Deliberately absent: `x + 0` (it loses the sign of a zero), `0 * x` (it loses NaN), any
 //! reassociation, any division turned into a product.
 
-use super::super::interp::arithmetic::{Number, advance, at_most, count_down, count_up, retreat};
+use super::super::interp::arithmetic::{Number, advance, at_most, count_down, count_up, difference, retreat};
 use super::super::{Op, Scalar, Value};
 
 /// What an operation turned out to be.
@@ -39,6 +39,7 @@ fn by_form<'a>(op: &Op, known: &impl Fn(Value) -> Option<&'a Op>) -> Option<Op> 
         Op::IndexLess(_, b) if known(b) == Some(&Op::Index(0)) => Some(Op::Bool(false)),
         Op::IndexLess(a, _) if known(a) == Some(&Op::Index(u32::MAX)) => Some(Op::Bool(false)),
         Op::IndexEqual(a, b) if a == b => Some(Op::Bool(true)),
+        Op::Difference { a, b, .. } if a == b => Some(Op::Index(0)),
         Op::Advance { len: 1, .. }
         | Op::Retreat { len: 1, .. }
         | Op::CountUp { max: 0, .. }
@@ -87,6 +88,8 @@ fn float<N: Number>(op: &Op, operands: &[&Op]) -> Option<Op> {
         (Op::Call(function, _), [Op::Float(a)]) => finite(N::call(*function, number(*a), N::default())),
         (Op::Call(function, _), [Op::Float(a), Op::Float(b)]) => finite(N::call(*function, number(*a), number(*b))),
         (Op::ToFloat(_), [Op::Index(a)]) => finite(N::from_index(*a)),
+        (Op::SignedToFloat(_), [Op::Index(a)]) => finite(N::from_signed(*a)),
+        (Op::FromFloat(_), [Op::Float(a)]) => Some(Op::Index(number(*a).to_signed())),
         (Op::Less(..), [Op::Float(a), Op::Float(b)]) => Some(Op::Bool(a < b)),
         (Op::LessEqual(..), [Op::Float(a), Op::Float(b)]) => Some(Op::Bool(a <= b)),
         (Op::InRange { low, high, .. }, [Op::Float(a)]) => Some(Op::Bool(low <= a && a <= high)),
@@ -104,6 +107,10 @@ fn index(op: &Op, operands: &[&Op]) -> Option<Op> {
         (Op::Retreat { len, .. }, [Op::Index(a)]) => Some(Op::Index(retreat(*a, *len))),
         (Op::CountUp { max, .. }, [Op::Index(a)]) => Some(Op::Index(count_up(*a, *max))),
         (Op::CountDown(_), [Op::Index(a)]) => Some(Op::Index(count_down(*a))),
+        (Op::WrapAdd(..), [Op::Index(a), Op::Index(b)]) => Some(Op::Index(a.wrapping_add(*b))),
+        (Op::Difference { bits, .. }, [Op::Index(a), Op::Index(b)]) => {
+            Some(Op::Index(difference(*a, *b, (*bits).into())))
+        }
         (Op::AtMost { max, .. }, [Op::Index(a)]) => Some(Op::Index(at_most(*a, *max))),
         _ => None,
     }

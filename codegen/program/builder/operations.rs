@@ -129,6 +129,31 @@ impl Builder {
         self.push(Op::ToFloat(index))
     }
 
+    /// The index as a signed number of 32 bits, as a float.
+    pub fn signed_to_float(&mut self, index: Value) -> Value {
+        self.push(Op::SignedToFloat(index))
+    }
+
+    /// The float, cut off towards zero, as a signed number of 32 bits.
+    pub fn from_float(&mut self, x: Value) -> Value {
+        self.push(Op::FromFloat(x))
+    }
+
+    /// `a + b` modulo 2^32.
+    pub fn wrap_add(&mut self, a: Value, b: Value) -> Value {
+        self.push(Op::WrapAdd(a, b))
+    }
+
+    /// `a - b` modulo 2^`bits`, 16 or 32, its sign extended to 32 bits.
+    pub fn wrap_difference(&mut self, a: Value, b: Value, bits: u8) -> Value {
+        self.push(Op::Difference { a, b, bits })
+    }
+
+    /// A measurement that is a count.
+    pub fn read_count(&mut self, field: u16) -> Value {
+        self.push(Op::Count(field))
+    }
+
     /// A measurement.
     pub fn read_measurement(&mut self, field: u16) -> Value {
         self.push(Op::Measurement(field))

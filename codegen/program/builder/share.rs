@@ -94,7 +94,8 @@ impl Shared {
             | Op::Retreat { len: number, .. }
             | Op::CountUp { max: number, .. }
             | Op::AtMost { max: number, .. } => [u64::from(number), 0],
-            Op::Measurement(field) | Op::Input(field) => [u64::from(field), 0],
+            Op::Measurement(field) | Op::Count(field) | Op::Input(field) => [u64::from(field), 0],
+            Op::Difference { bits, .. } => [u64::from(bits), 0],
             Op::Cell(cell) | Op::Ring { ring: cell, .. } => at(cell),
             Op::Lookup { table, column, .. } => [u64::from(table.0), u64::from(column)],
             Op::Gain { column } => [u64::from(column), 0],
@@ -112,7 +113,10 @@ impl Shared {
             | Op::IndexLess(..)
             | Op::IndexEqual(..)
             | Op::CountDown(_)
-            | Op::ToFloat(_) => [0, 0],
+            | Op::ToFloat(_)
+            | Op::SignedToFloat(_)
+            | Op::FromFloat(_)
+            | Op::WrapAdd(..) => [0, 0],
         };
         Key { kind: discriminant(op), operands: op.operands(), constants }
     }

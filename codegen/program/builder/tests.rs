@@ -2,10 +2,10 @@
 
 use super::super::check::check;
 use super::super::{CellKind, Function, Op, Program, Scalar, Statement, Status, Value};
-use super::{Builder, Field};
+use super::{Builder, Field, Kind};
 
 fn field(name: &str) -> Field {
-    Field { name: name.to_owned(), unit: String::new(), doc: String::new() }
+    Field { name: name.to_owned(), unit: String::new(), doc: String::new(), kind: Kind::Float }
 }
 
 fn builder(scalar: Scalar) -> Builder {
@@ -268,4 +268,50 @@ fn folds_calls() {
     let four = b.float(4.0);
     let root = b.call(Function::Sqrt, &[four]);
     assert_eq!(root, b.float(2.0));
+}
+
+/// Claim: a counter's readings fold as they compute, around the ends of 16 and 32 bits.
+#[test]
+fn folds_counts() {
+    let mut b = builder(Scalar::F32);
+    let (low, high) = (b.index(3), b.index(0xffff_fffe));
+    assert_eq!(b.wrap_difference(low, high, 32), b.index(5));
+    assert_eq!(b.wrap_difference(low, high, 16), b.index(5));
+    assert_eq!(b.wrap_difference(high, low, 16), b.index(5_u32.wrapping_neg()));
+    assert_eq!(b.wrap_add(low, high), b.index(1));
+    let half = b.index(0x8000);
+    assert_eq!(b.wrap_difference(half, low, 16), b.index(0x7ffd));
+    let zero = b.index(0);
+    assert_eq!(b.wrap_difference(half, zero, 16), b.index(0xffff_8000));
+    assert_eq!(b.signed_to_float(high), b.float(-2.0));
+    let rounded = b.index(16_777_217);
+    assert_eq!(b.signed_to_float(rounded), b.float(16_777_216.0));
+    for (x, whole) in [(-2.75, -2), (2.75, 2), (-0.5, 0), (3e9, 2_147_483_520), (-3e9, i32::MIN)] {
+        let x = b.float(x);
+        assert_eq!(b.from_float(x), b.index(i32::cast_unsigned(whole)));
+    }
+    let y = b.read_measurement(0);
+    let unknown = b.from_float(y);
+    assert_eq!(b.wrap_difference(unknown, unknown, 16), zero);
+    assert_ne!(b.wrap_difference(unknown, zero, 16), b.wrap_difference(unknown, zero, 32));
+}
+
+/// Claim: a ring of counts is read and written as indices, its reads are shared between writes, and an estimate of
+/// an index makes its field one.
+#[test]
+fn rings_of_counts() {
+    let mut b = Builder::new("example", Scalar::F32, 0.125);
+    let n = b.measurement(Field { kind: Kind::Count { bits: 16, signed: true }, ..field("n") });
+    let (ring, unused) = (b.counts("ring", "", 4, 16, 9), b.counts("unused", "", 4, 32, 0));
+    let (slot, now) = (b.index(2), b.read_count(n));
+    b.set_ring(unused, slot, now);
+    let before = b.read_ring(ring, slot);
+    assert_eq!(b.read_ring(ring, slot), before);
+    b.set_ring(ring, slot, now);
+    assert_ne!(b.read_ring(ring, slot), before);
+    let moved = b.wrap_difference(now, before, 16);
+    let program = finish(b, moved);
+    assert_eq!(program.estimates[0].0.kind, Kind::Index);
+    assert_eq!(program.cells.len(), 1);
+    assert_eq!(program.cells[0].kind, CellKind::Counts { len: 4, init: 9, bits: 16 });
 }

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::super::{CellId, Function, TableId, Type, Value};
+use super::super::{CellId, Function, Kind, TableId, Type, Value};
 
 /// Why a Program is refused, and where.
 #[derive(Clone, Debug, PartialEq)]
@@ -55,6 +55,19 @@ pub enum Flaw {
     },
     /// A measurement or input is read that is not declared.
     NoSuchField(u16),
+    /// A float is read as a count, or a count as a float.
+    WrongField(u16),
+    /// A field holds what no field of that part of the interface can.
+    WrongPart(Kind),
+    /// An integer of other than 16 or 32 bits.
+    Width(u8),
+    /// A number that does not fit into so many bits.
+    TooLarge {
+        /// The number.
+        number: u32,
+        /// How many bits there are.
+        bits: u8,
+    },
     /// A cell is used that is not declared.
     NoSuchCell(CellId),
     /// A ring is used as a scalar cell, or a scalar cell as a ring.
@@ -118,6 +131,10 @@ impl fmt::Display for Flaw {
             Self::NotRepresentable(x) => write!(f, "{x:e} is not a finite number of the scalar type"),
             Self::EmptyRange { low, high } => write!(f, "{low:e} is above {high:e}"),
             Self::NoSuchField(at) => write!(f, "there is no field {at}"),
+            Self::WrongField(at) => write!(f, "field {at} is of another kind"),
+            Self::WrongPart(kind) => write!(f, "{kind:?} cannot be of a field there"),
+            Self::Width(bits) => write!(f, "an integer has 16 or 32 bits, not {bits}"),
+            Self::TooLarge { number, bits } => write!(f, "{number} does not fit into {bits} bits"),
             Self::NoSuchCell(CellId(at)) => write!(f, "there is no cell {at}"),
             Self::WrongKind(CellId(at)) => write!(f, "cell {at} is of another kind"),
             Self::NoSuchTable(TableId(at)) => write!(f, "there is no table {at}"),

@@ -2,16 +2,17 @@
 
 use std::collections::HashSet;
 
-use super::super::{Cell, CellKind, Field, Program, Scalar, Table};
-use super::typing::representable;
+use super::super::{Cell, CellKind, Field, Kind, Program, Scalar, Table};
+use super::typing::{fits, representable, width};
 use super::{At, CheckError, Flaw};
 
 /// Whether everything outside of the statements is in order.
 pub(super) fn check(program: &Program) -> Result<(), CheckError> {
     head(program).at(program, "program")?;
-    fields(&program.measurements).at(program, "measurements")?;
-    fields(&program.inputs).at(program, "inputs")?;
-    fields(program.estimates.iter().map(|(field, _)| field)).at(program, "estimates")?;
+    fields(&program.measurements, |kind| kind != Kind::Index).at(program, "measurements")?;
+    fields(&program.inputs, |kind| kind == Kind::Float).at(program, "inputs")?;
+    let estimates = program.estimates.iter().map(|(field, _)| field);
+    fields(estimates, |kind| !matches!(kind, Kind::Count { .. })).at(program, "estimates")?;
     unique(program.cells.iter().map(|cell| &cell.name)).at(program, "cells")?;
     for it in &program.cells {
         cell(it, program.scalar).at(program, format!("cell `{}`", it.name))?;
@@ -33,13 +34,18 @@ fn head(program: &Program) -> Result<(), Flaw> {
     if program.measurements.is_empty() { Err(Flaw::NoMeasurement) } else { Ok(()) }
 }
 
-/// Measurements, inputs or estimates.
-fn fields<'a>(all: impl IntoIterator<Item = &'a Field> + Clone) -> Result<(), Flaw> {
+/// Measurements, inputs or estimates, and which kinds are allowed there.
+fn fields<'a>(all: impl IntoIterator<Item = &'a Field> + Clone, allowed: fn(Kind) -> bool) -> Result<(), Flaw> {
     unique(all.clone().into_iter().map(|field| &field.name))?;
     all.into_iter().try_for_each(|field| {
         identifier(&field.name)?;
         one_line(&field.unit)?;
-        one_line(&field.doc)
+        one_line(&field.doc)?;
+        match field.kind {
+            kind if !allowed(kind) => Err(Flaw::WrongPart(kind)),
+            Kind::Count { bits, .. } => width(bits),
+            Kind::Float | Kind::Index => Ok(()),
+        }
     })
 }
 
@@ -48,8 +54,9 @@ fn cell(cell: &Cell, scalar: Scalar) -> Result<(), Flaw> {
     identifier(&cell.name)?;
     one_line(&cell.doc)?;
     match cell.kind {
-        CellKind::Ring { len: 0, .. } => Err(Flaw::EmptyRing),
+        CellKind::Ring { len: 0, .. } | CellKind::Counts { len: 0, .. } => Err(Flaw::EmptyRing),
         CellKind::Float { init } | CellKind::Ring { init, .. } => representable(init, scalar),
+        CellKind::Counts { init, bits, .. } => fits(init, bits),
         CellKind::Index { .. } => Ok(()),
     }
 }

@@ -18,12 +18,15 @@ impl Op {
             | Self::Index(_)
             | Self::Measurement(_)
             | Self::Input(_)
+            | Self::Count(_)
             | Self::Cell(_)
             | Self::Gain { .. } => vec![],
             Self::Neg(a)
             | Self::Not(a)
             | Self::CountDown(a)
             | Self::ToFloat(a)
+            | Self::SignedToFloat(a)
+            | Self::FromFloat(a)
             | Self::InRange { value: a, .. }
             | Self::Advance { slot: a, .. }
             | Self::Retreat { slot: a, .. }
@@ -40,7 +43,9 @@ impl Op {
             | Self::And(a, b)
             | Self::Or(a, b)
             | Self::IndexLess(a, b)
-            | Self::IndexEqual(a, b) => vec![a, b],
+            | Self::IndexEqual(a, b)
+            | Self::WrapAdd(a, b)
+            | Self::Difference { a, b, .. } => vec![a, b],
             Self::Select { condition, then, otherwise } => vec![condition, then, otherwise],
             Self::Call(_, arguments) => arguments.iter_mut().collect(),
         }

@@ -2,7 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use super::super::{Loop, Program, Statement, TableId, Type, Value};
+use super::super::{Kind, Loop, Program, Statement, TableId, Type, Value};
 use super::typing::{Context, expect};
 use super::{At, CheckError, Flaw};
 
@@ -11,7 +11,8 @@ pub(super) fn check(program: &Program) -> Result<(), CheckError> {
     let mut scope = Scope { program, types: HashMap::new(), hidden: HashSet::new() };
     scope.body(&program.body, None)?;
     for (field, value) in &program.estimates {
-        scope.has(*value, Type::Float).at(program, format!("estimate `{}`", field.name))?;
+        let r#type = if field.kind == Kind::Index { Type::Index } else { Type::Float };
+        scope.has(*value, r#type).at(program, format!("estimate `{}`", field.name))?;
     }
     scope.has(program.status, Type::Status).at(program, "status")
 }
@@ -48,9 +49,9 @@ impl Scope<'_> {
             }
             Statement::SetCell { cell, value } => self.has(*value, context.scalar_cell(*cell)?),
             Statement::SetRing { ring, slot, value } => {
-                context.ring(*ring)?;
+                let element = context.element(*ring)?;
                 self.has(*slot, Type::Index)?;
-                self.has(*value, Type::Float)
+                self.has(*value, element)
             }
             Statement::Loop(_) => Err(Flaw::NestedLoop),
         }

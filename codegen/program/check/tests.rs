@@ -2,15 +2,16 @@
 
 use super::super::builder::Builder;
 use super::super::{
-    Carried, Cell, CellId, CellKind, Field, Function, Loop, Op, Program, Scalar, Statement, Status, Table, TableId,
-    Type, Value,
+    Carried, Cell, CellId, CellKind, Field, Function, Kind, Loop, Op, Program, Scalar, Statement, Status, Table,
+    TableId, Type, Value,
 };
 use super::{Flaw, check};
 
 /// Cells `p` (float), `n` (index), `r` (ring of 3); table `T` of 3 rows and 2 columns; the loop is
 /// statement 3 and carries `t2` (a slot) and `t3` (a float).
 fn sound() -> Program {
-    let field = |name: &str| Field { name: name.to_owned(), unit: String::new(), doc: String::new() };
+    let field =
+        |name: &str| Field { name: name.to_owned(), unit: String::new(), doc: String::new(), kind: Kind::Float };
     let mut b = Builder::new("sound", Scalar::F32, 0.5);
     let (y, u) = (b.measurement(field("y")), b.input(field("u")));
     let (p, n, r) = (b.float_cell("p", "", 0.5), b.index_cell("n", "", 1), b.ring("r", "", 3, 0.0));
@@ -314,4 +315,60 @@ fn shapes() {
     let kind = CellKind::Ring { len: 0, init: 0.0 };
     let cell = Cell { name: "e".to_owned(), doc: String::new(), kind };
     assert_eq!(flaw(|p| p.cells.push(cell)), Flaw::EmptyRing);
+}
+
+/// The sound Program with a count of 16 bits as its second measurement and a ring of counts as its last cell.
+fn counting(change: impl FnOnce(&mut Program)) -> Result<(), Flaw> {
+    let mut program = sound();
+    let kind = Kind::Count { bits: 16, signed: false };
+    program.measurements.push(Field { name: "m".to_owned(), unit: String::new(), doc: String::new(), kind });
+    let kind = CellKind::Counts { len: 3, init: 65_535, bits: 16 };
+    program.cells.push(Cell { name: "c".to_owned(), doc: String::new(), kind });
+    change(&mut program);
+    check(&program).map_err(|error| error.flaw)
+}
+
+/// Claim: integers stand only where the interface and the cells have integers.
+#[test]
+fn counts() {
+    let (float, index) = (any(Type::Float), any(Type::Index));
+    let wrong = |value, expected, found| Err(Flaw::WrongType { value, expected, found });
+    let with = |op: Op| counting(|p| p.body.push(Statement::Let { value: Value(100), op }));
+    assert_eq!(with(Op::Count(1)), Ok(()));
+    assert_eq!(with(Op::Count(0)), Err(Flaw::WrongField(0)));
+    assert_eq!(with(Op::Count(2)), Err(Flaw::NoSuchField(2)));
+    assert_eq!(with(Op::Measurement(1)), Err(Flaw::WrongField(1)));
+    assert_eq!(with(Op::Difference { a: index, b: index, bits: 24 }), Err(Flaw::Width(24)));
+    assert_eq!(with(Op::Difference { a: index, b: float, bits: 16 }), wrong(float, Type::Index, Type::Float));
+    assert_eq!(with(Op::WrapAdd(float, index)), wrong(float, Type::Index, Type::Float));
+    assert_eq!(with(Op::SignedToFloat(float)), wrong(float, Type::Index, Type::Float));
+    assert_eq!(with(Op::FromFloat(index)), wrong(index, Type::Float, Type::Index));
+    assert_eq!(with(Op::Cell(CellId(3))), Err(Flaw::WrongKind(CellId(3))));
+    let beyond = Err(Flaw::OutOfBounds { value: index, at_most: u32::MAX, len: 3 });
+    assert_eq!(with(Op::Ring { ring: CellId(3), slot: index }), beyond);
+
+    let set = |ring, value| {
+        counting(|p| {
+            p.body.push(Statement::Let { value: Value(100), op: Op::Index(2) });
+            p.body.push(Statement::SetRing { ring: CellId(ring), slot: Value(100), value });
+        })
+    };
+    assert_eq!(set(3, index), Ok(()));
+    assert_eq!(set(3, float), wrong(float, Type::Index, Type::Float));
+    assert_eq!(set(2, index), wrong(index, Type::Float, Type::Index));
+
+    let kind = |kind: Kind| counting(|p| p.measurements[1].kind = kind);
+    assert_eq!(kind(Kind::Count { bits: 8, signed: true }), Err(Flaw::Width(8)));
+    assert_eq!(kind(Kind::Index), Err(Flaw::WrongPart(Kind::Index)));
+    let count = Kind::Count { bits: 32, signed: true };
+    assert_eq!(counting(|p| p.inputs[0].kind = count), Err(Flaw::WrongPart(count)));
+    assert_eq!(counting(|p| p.estimates[0].0.kind = count), Err(Flaw::WrongPart(count)));
+    let x = sound().estimates[0].1;
+    assert_eq!(counting(|p| p.estimates[0].0.kind = Kind::Index), wrong(x, Type::Index, Type::Float));
+
+    let cell = |len, init, bits| counting(|p| p.cells[3].kind = CellKind::Counts { len, init, bits });
+    assert_eq!(cell(0, 0, 16), Err(Flaw::EmptyRing));
+    assert_eq!(cell(3, 65_536, 16), Err(Flaw::TooLarge { number: 65_536, bits: 16 }));
+    assert_eq!(cell(3, u32::MAX, 32), Ok(()));
+    assert_eq!(cell(3, 0, 64), Err(Flaw::Width(64)));
 }

@@ -3,15 +3,15 @@
 //! In: an operation, what it may refer to, the types of its operands. Out: the type of its result.
 //! The builder asks while it builds, [`check`](super::check) afterwards.
 
-use super::super::{Cell, CellId, CellKind, Op, Program, Scalar, Table, TableId, Type, Value};
+use super::super::{Cell, CellId, CellKind, Field, Kind, Op, Program, Scalar, Table, TableId, Type, Value};
 use super::Flaw;
 
 /// What an operation may refer to.
 pub(in super::super) struct Context<'a> {
     /// The Program's.
     pub scalar: Scalar,
-    /// How many.
-    pub measurements: usize,
+    /// The Program's.
+    pub measurements: &'a [Field],
     /// How many.
     pub inputs: usize,
     /// The Program's.
@@ -27,7 +27,7 @@ impl<'a> Context<'a> {
     pub fn of(program: &'a Program, row: Option<TableId>) -> Self {
         Self {
             scalar: program.scalar,
-            measurements: program.measurements.len(),
+            measurements: &program.measurements,
             inputs: program.inputs.len(),
             cells: &program.cells,
             tables: &program.tables,
@@ -72,9 +72,14 @@ impl<'a> Context<'a> {
             | Op::Retreat { .. }
             | Op::CountUp { .. }
             | Op::CountDown(_)
-            | Op::AtMost { .. } => (Type::Index, Type::Index),
+            | Op::AtMost { .. }
+            | Op::WrapAdd(..)
+            | Op::Difference { .. }
+            | Op::Count(_) => (Type::Index, Type::Index),
             Op::IndexLess(..) | Op::IndexEqual(..) => (Type::Index, Type::Bool),
-            Op::ToFloat(_) | Op::Ring { .. } | Op::Lookup { .. } => (Type::Index, Type::Float),
+            Op::ToFloat(_) | Op::SignedToFloat(_) | Op::Lookup { .. } => (Type::Index, Type::Float),
+            Op::FromFloat(_) => (Type::Float, Type::Index),
+            Op::Ring { ring, .. } => (Type::Index, self.element(*ring)?),
             Op::Cell(cell) => (Type::Index, self.scalar_cell(*cell)?),
         })
     }
@@ -92,7 +97,9 @@ impl<'a> Context<'a> {
                 Err(Flaw::Arity { function, given: arguments.len() })
             }
             Op::Advance { len: 0, .. } | Op::Retreat { len: 0, .. } => Err(Flaw::EmptyRing),
-            Op::Measurement(at) if usize::from(at) >= self.measurements => Err(Flaw::NoSuchField(at)),
+            Op::Measurement(at) => self.field(at, |kind| kind == Kind::Float),
+            Op::Count(at) => self.field(at, |kind| matches!(kind, Kind::Count { .. })),
+            Op::Difference { bits, .. } => width(bits),
             Op::Input(at) if usize::from(at) >= self.inputs => Err(Flaw::NoSuchField(at)),
             Op::Ring { ring, .. } => self.ring(ring).map(|_| ()),
             Op::Lookup { table, column, .. } => self.column(table, column),
@@ -106,7 +113,17 @@ impl<'a> Context<'a> {
         match self.cells.get(usize::from(cell.0)).map(|cell| &cell.kind) {
             Some(CellKind::Float { .. }) => Ok(Type::Float),
             Some(CellKind::Index { .. }) => Ok(Type::Index),
-            Some(CellKind::Ring { .. }) => Err(Flaw::WrongKind(cell)),
+            Some(CellKind::Ring { .. } | CellKind::Counts { .. }) => Err(Flaw::WrongKind(cell)),
+            None => Err(Flaw::NoSuchCell(cell)),
+        }
+    }
+
+    /// The type of a ring's elements.
+    pub fn element(&self, cell: CellId) -> Result<Type, Flaw> {
+        match self.cells.get(usize::from(cell.0)).map(|cell| &cell.kind) {
+            Some(CellKind::Ring { .. }) => Ok(Type::Float),
+            Some(CellKind::Counts { .. }) => Ok(Type::Index),
+            Some(_) => Err(Flaw::WrongKind(cell)),
             None => Err(Flaw::NoSuchCell(cell)),
         }
     }
@@ -114,9 +131,18 @@ impl<'a> Context<'a> {
     /// The length of a ring.
     pub fn ring(&self, cell: CellId) -> Result<u32, Flaw> {
         match self.cells.get(usize::from(cell.0)).map(|cell| &cell.kind) {
-            Some(CellKind::Ring { len, .. }) => Ok(*len),
+            Some(CellKind::Ring { len, .. } | CellKind::Counts { len, .. }) => Ok(*len),
             Some(_) => Err(Flaw::WrongKind(cell)),
             None => Err(Flaw::NoSuchCell(cell)),
+        }
+    }
+
+    /// Whether there is a measurement of that kind.
+    fn field(&self, at: u16, is_right: impl FnOnce(Kind) -> bool) -> Result<(), Flaw> {
+        match self.measurements.get(usize::from(at)) {
+            Some(field) if is_right(field.kind) => Ok(()),
+            Some(_) => Err(Flaw::WrongField(at)),
+            None => Err(Flaw::NoSuchField(at)),
         }
     }
 
@@ -138,6 +164,17 @@ impl<'a> Context<'a> {
 /// Whether a value has the type it is used with.
 pub(in super::super) fn expect(value: Value, found: Type, expected: Type) -> Result<(), Flaw> {
     if found == expected { Ok(()) } else { Err(Flaw::WrongType { value, expected, found }) }
+}
+
+/// Whether there are integers of so many bits.
+pub(in super::super) fn width(bits: u8) -> Result<(), Flaw> {
+    if matches!(bits, 16 | 32) { Ok(()) } else { Err(Flaw::Width(bits)) }
+}
+
+/// Whether there are integers of so many bits, and the number is one.
+pub(in super::super) fn fits(number: u32, bits: u8) -> Result<(), Flaw> {
+    width(bits)?;
+    if bits == 32 || number >> bits == 0 { Ok(()) } else { Err(Flaw::TooLarge { number, bits }) }
 }
 
 /// Whether a constant is finite and exact in the scalar type.

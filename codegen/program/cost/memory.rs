@@ -16,6 +16,7 @@ pub(super) fn ram(program: &Program) -> u64 {
             CellKind::Float { .. } => (float, 1),
             CellKind::Index { .. } => (WORD, 1),
             CellKind::Ring { len, .. } => (float, u64::from(len)),
+            CellKind::Counts { len, bits, .. } => (u64::from(bits / 8), u64::from(len)),
         };
         end = end.next_multiple_of(size) + size * count;
         widest = widest.max(size);
@@ -85,17 +86,21 @@ fn operation(op: &Op, scalar: Scalar) -> u64 {
     let constant = u64::from(scalar.bytes());
     match op {
         Op::Float(_) => MOVE + constant,
-        Op::Bool(_) | Op::Status(_) | Op::Index(_) | Op::Measurement(_) | Op::Input(_) | Op::Cell(_) => MOVE,
+        Op::Bool(_) | Op::Status(_) | Op::Index(_) | Op::Measurement(_) | Op::Count(_) | Op::Input(_) | Op::Cell(_) => {
+            MOVE
+        }
         Op::Neg(_) | Op::Not(_) | Op::ToFloat(_) => MOVE + 8,
-        Op::Add(..) | Op::Sub(..) | Op::Mul(..) | Op::Div(..) | Op::And(..) | Op::Or(..) => MOVE + 12,
-        Op::Call(..) | Op::Ring { .. } | Op::Lookup { .. } | Op::Gain { .. } => 2 * MOVE,
+        Op::Add(..) | Op::Sub(..) | Op::Mul(..) | Op::Div(..) | Op::And(..) | Op::Or(..) | Op::WrapAdd(..) => MOVE + 12,
+        Op::Call(..) | Op::FromFloat(_) | Op::Ring { .. } | Op::Lookup { .. } | Op::Gain { .. } => 2 * MOVE,
         Op::Less(..) | Op::LessEqual(..) | Op::IndexLess(..) | Op::IndexEqual(..) => 2 * MOVE + 8,
         Op::Select { .. }
         | Op::Advance { .. }
         | Op::Retreat { .. }
         | Op::CountUp { .. }
         | Op::CountDown(_)
-        | Op::AtMost { .. } => 3 * MOVE,
+        | Op::AtMost { .. }
+        | Op::Difference { .. }
+        | Op::SignedToFloat(_) => 3 * MOVE,
         Op::InRange { .. } => 4 * MOVE + 2 * constant,
     }
 }

@@ -7,7 +7,7 @@ use std::collections::HashMap;
 use std::ops::Range;
 
 use super::super::TableId;
-use super::instruction::{Block, Content, Instruction, Opcode, Operand, Place};
+use super::instruction::{Block, Class, Content, Instruction, Opcode, Operand, Place};
 
 /// Instructions of one opcode: a range of [`Code::operands`].
 #[derive(Clone, Debug)]
@@ -29,7 +29,7 @@ pub(super) struct Code {
     pub operands: Vec<[u16; 4]>,
     /// Of everything that keeps its register.
     pub fixed: HashMap<Place, u16>,
-    pub estimates: Vec<u16>,
+    pub estimates: Vec<(Class, u16)>,
     pub status: u16,
 }
 
@@ -65,7 +65,7 @@ pub(super) fn allocate(
         at += 1;
         code.stages.push(Stage { rows_of, runs });
     }
-    code.estimates = estimates.iter().map(|place| registers.number(*place)).collect();
+    code.estimates = estimates.iter().map(|place| (place.class, registers.number(*place))).collect();
     code.status = registers.number(status);
     code.fixed = registers.numbers;
     code

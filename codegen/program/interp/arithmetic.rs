@@ -21,13 +21,17 @@ pub(in super::super) trait Number:
     fn to_f64(self) -> f64;
     /// Rounded to nearest even.
     fn from_index(x: u32) -> Self;
+    /// [`Op::SignedToFloat`](super::super::Op::SignedToFloat).
+    fn from_signed(x: u32) -> Self;
+    /// [`Op::FromFloat`](super::super::Op::FromFloat).
+    fn to_signed(self) -> u32;
     /// The runtime's elementary function; one of a single argument ignores `b`.
     fn call(function: Function, a: Self, b: Self) -> Self;
 }
 
 /// Both implementations differ in the names of types and functions only.
 macro_rules! number {
-    ($type:ident, $sin:ident, $cos:ident, $tan:ident, $asin:ident, $acos:ident,
+    ($type:ident, $largest:literal, $sin:ident, $cos:ident, $tan:ident, $asin:ident, $acos:ident,
      $atan:ident, $atan2:ident, $exp:ident, $log:ident, $sqrt:ident, $tanh:ident, $pow:ident) => {
         impl Number for $type {
             #[allow(clippy::cast_possible_truncation, reason = "the rounding is meant; f64 to f64 has none")]
@@ -43,6 +47,16 @@ macro_rules! number {
             #[allow(clippy::cast_precision_loss, clippy::cast_lossless, reason = "f32 rounds, f64 is exact")]
             fn from_index(x: u32) -> Self {
                 x as Self
+            }
+
+            #[allow(clippy::cast_precision_loss, clippy::cast_lossless, reason = "f32 rounds, f64 is exact")]
+            fn from_signed(x: u32) -> Self {
+                x.cast_signed() as Self
+            }
+
+            #[expect(clippy::cast_possible_truncation, reason = "it is cut off; NaN becomes 0")]
+            fn to_signed(self) -> u32 {
+                (self.clamp(-2_147_483_648.0, $largest) as i32).cast_unsigned()
             }
 
             fn call(function: Function, a: Self, b: Self) -> Self {
@@ -66,11 +80,35 @@ macro_rules! number {
 }
 
 number!(
-    f32, sin_f32, cos_f32, tan_f32, asin_f32, acos_f32, atan_f32, atan2_f32, exp_f32, log_f32, sqrt_f32, tanh_f32,
+    f32,
+    2_147_483_520.0,
+    sin_f32,
+    cos_f32,
+    tan_f32,
+    asin_f32,
+    acos_f32,
+    atan_f32,
+    atan2_f32,
+    exp_f32,
+    log_f32,
+    sqrt_f32,
+    tanh_f32,
     pow_f32
 );
 number!(
-    f64, sin_f64, cos_f64, tan_f64, asin_f64, acos_f64, atan_f64, atan2_f64, exp_f64, log_f64, sqrt_f64, tanh_f64,
+    f64,
+    2_147_483_647.0,
+    sin_f64,
+    cos_f64,
+    tan_f64,
+    asin_f64,
+    acos_f64,
+    atan_f64,
+    atan2_f64,
+    exp_f64,
+    log_f64,
+    sqrt_f64,
+    tanh_f64,
     pow_f64
 );
 
@@ -97,4 +135,22 @@ pub(in super::super) const fn count_down(count: u32) -> u32 {
 /// [`Op::AtMost`](super::super::Op::AtMost).
 pub(in super::super) const fn at_most(value: u32, max: u32) -> u32 {
     if value < max { value } else { max }
+}
+
+/// [`Op::Difference`](super::super::Op::Difference).
+pub(in super::super) const fn difference(a: u32, b: u32, bits: u32) -> u32 {
+    let above = 32 - bits;
+    (a.wrapping_sub(b) << above).cast_signed().wrapping_shr(above).cast_unsigned()
+}
+
+/// What a counter of that kind shows for a number: cut off towards zero, at most its largest and at least its smallest
+/// number; 0 for NaN. Extended to 32 bits.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "conversions that saturate")]
+pub(super) const fn counted(x: f64, bits: u8, signed: bool) -> u32 {
+    match (bits, signed) {
+        (16, true) => (x as i16 as i32).cast_unsigned(),
+        (16, false) => x as u16 as u32,
+        (_, true) => (x as i32).cast_unsigned(),
+        (_, false) => x as u32,
+    }
 }

@@ -5,7 +5,7 @@
 
 use super::super::Function;
 use super::allocate::Run;
-use super::arithmetic::{Number, advance, at_most, count_down, count_up, retreat};
+use super::arithmetic::{Number, advance, at_most, count_down, count_up, difference, retreat};
 use super::instruction::Opcode;
 
 /// How many registers a file has.
@@ -21,14 +21,16 @@ pub(super) struct Rows<F> {
 pub(super) struct Memory<F> {
     pub floats: Box<[F; FILE]>,
     pub words: Box<[u32; FILE]>,
-    /// By cell; empty for scalar cells.
+    /// By cell; empty for other cells.
     pub rings: Vec<Vec<F>>,
+    /// By cell; empty for other cells.
+    pub counts: Vec<Vec<u32>>,
 }
 
 impl<F: Number> Memory<F> {
     /// Registers of zero, and these rings.
-    pub fn new(rings: Vec<Vec<F>>) -> Self {
-        Self { floats: file(), words: file(), rings }
+    pub fn new(rings: Vec<Vec<F>>, counts: Vec<Vec<u32>>) -> Self {
+        Self { floats: file(), words: file(), rings, counts }
     }
 
     /// The runs in order; `row` is where the loop is.
@@ -42,7 +44,7 @@ impl<F: Number> Memory<F> {
     /// Every instruction of one run.
     #[inline]
     fn run(&mut self, opcode: Opcode, run: &[[u16; 4]], tables: &[Rows<F>], row: &[F]) {
-        let Self { floats: f, words: w, rings } = self;
+        let Self { floats: f, words: w, rings, counts } = self;
         match opcode {
             Opcode::MoveFloat => each(run, |[d, a, ..]| f[d] = f[a]),
             Opcode::MoveWord => each(run, |[d, a, ..]| w[d] = w[a]),
@@ -79,8 +81,14 @@ impl<F: Number> Memory<F> {
             Opcode::CountDown => each(run, |[d, a, ..]| w[d] = count_down(w[a])),
             Opcode::AtMost => each(run, |[d, a, b, _]| w[d] = at_most(w[a], w[b])),
             Opcode::ToFloat => each(run, |[d, a, ..]| f[d] = F::from_index(w[a])),
+            Opcode::SignedToFloat => each(run, |[d, a, ..]| f[d] = F::from_signed(w[a])),
+            Opcode::FromFloat => each(run, |[d, a, ..]| w[d] = f[a].to_signed()),
+            Opcode::WrapAdd => each(run, |[d, a, b, _]| w[d] = w[a].wrapping_add(w[b])),
+            Opcode::Difference => each(run, |[d, a, b, c]| w[d] = difference(w[a], w[b], w[c])),
             Opcode::ReadRing => each(run, |[d, a, b, _]| f[d] = rings[a][w[b] as usize]),
             Opcode::WriteRing => each(run, |[d, a, b, _]| rings[d][w[a] as usize] = f[b]),
+            Opcode::ReadCounts => each(run, |[d, a, b, _]| w[d] = counts[a][w[b] as usize]),
+            Opcode::WriteCounts => each(run, |[d, a, b, c]| counts[d][w[a] as usize] = w[b] & w[c]),
             Opcode::Lookup => each(run, |[d, a, b, c]| {
                 f[d] = tables[a].elements[w[b] as usize * tables[a].columns + c];
             }),

@@ -68,10 +68,22 @@ pub(super) enum Opcode {
     AtMost,
     /// `d = a as float`.
     ToFloat,
+    /// `d = a as signed as float`.
+    SignedToFloat,
+    /// `d = a as signed`.
+    FromFloat,
+    /// `d = a + b` modulo 2^32.
+    WrapAdd,
+    /// `d = a - b` modulo 2^`c`, extended.
+    Difference,
     /// `d = ring a [b]`.
     ReadRing,
     /// `ring d [a] = b`.
     WriteRing,
+    /// `d = counts a [b]`.
+    ReadCounts,
+    /// `counts d [a] = b & c`.
+    WriteCounts,
     /// `d = table a [row b][column c]`.
     Lookup,
 }

@@ -1,8 +1,8 @@
 //! A Program ready to run: its code, its constants in their places, its cells at their start.
 
-use super::super::{CellId, CellKind, Program, Status};
+use super::super::{CellId, CellKind, Kind, Program, Status};
 use super::allocate::{Code, allocate};
-use super::arithmetic::Number;
+use super::arithmetic::{Number, counted};
 use super::execute::{Memory, Rows};
 use super::instruction::{Block, Class, Content, Place};
 use super::schedule::schedule;
@@ -11,7 +11,7 @@ use super::select::select;
 /// A Program with its state, in the float type `F`.
 pub(super) struct Machine<F> {
     code: Code,
-    measurements: Vec<u16>,
+    measurements: Vec<(Kind, u16)>,
     inputs: Vec<u16>,
     tables: Vec<Rows<F>>,
     memory: Memory<F>,
@@ -32,7 +32,13 @@ impl<F: Number> Machine<F> {
         let rings = (program.cells.iter())
             .map(|cell| match cell.kind {
                 CellKind::Ring { len, .. } => vec![F::default(); len as usize],
-                CellKind::Float { .. } | CellKind::Index { .. } => vec![],
+                _ => vec![],
+            })
+            .collect();
+        let counts = (program.cells.iter())
+            .map(|cell| match cell.kind {
+                CellKind::Counts { len, .. } => vec![0; len as usize],
+                _ => vec![],
             })
             .collect();
         let tables = (program.tables.iter())
@@ -41,13 +47,15 @@ impl<F: Number> Machine<F> {
                 elements: table.rows.iter().flatten().map(|x| F::from_f64(*x)).collect(),
             })
             .collect();
-        let memory = Memory::new(rings);
-        let register = |content| code.fixed[&Place { class: Class::Float, content }];
+        let memory = Memory::new(rings, counts);
+        let register = |class, content| code.fixed[&Place { class, content }];
         let measurements = (0..=u16::MAX).zip(&program.measurements);
         let inputs = (0..=u16::MAX).zip(&program.inputs);
         let mut machine = Self {
-            measurements: measurements.map(|(at, _)| register(Content::Measurement(at))).collect(),
-            inputs: inputs.map(|(at, _)| register(Content::Input(at))).collect(),
+            measurements: (measurements)
+                .map(|(at, field)| (field.kind, register(class_of(field.kind), Content::Measurement(at))))
+                .collect(),
+            inputs: inputs.map(|(at, _)| register(Class::Float, Content::Input(at))).collect(),
             code,
             tables,
             memory,
@@ -86,6 +94,7 @@ impl<F: Number> Machine<F> {
                 CellKind::Ring { init, .. } => {
                     self.memory.rings[usize::from(at.0)].fill(F::from_f64(*init));
                 }
+                CellKind::Counts { init, .. } => self.memory.counts[usize::from(at.0)].fill(*init),
             }
         }
     }
@@ -106,6 +115,9 @@ impl<F: Number> Machine<F> {
                     let ring = &self.memory.rings[usize::from(at.0)];
                     ring.iter().map(|x| x.to_f64()).collect()
                 }
+                CellKind::Counts { .. } => {
+                    self.memory.counts[usize::from(at.0)].iter().map(|x| f64::from(*x)).collect()
+                }
             })
             .collect()
     }
@@ -117,8 +129,13 @@ impl<F: Number> Machine<F> {
 
     /// One step.
     pub fn step(&mut self, measurements: &[f64], inputs: &[f64], estimates: &mut [f64]) -> Status {
-        let given = measurements.iter().zip(&self.measurements);
-        for (x, register) in given.chain(inputs.iter().zip(&self.inputs)) {
+        for (x, (kind, register)) in measurements.iter().zip(&self.measurements) {
+            match *kind {
+                Kind::Count { bits, signed } => self.memory.words[usize::from(*register)] = counted(*x, bits, signed),
+                Kind::Float | Kind::Index => self.memory.floats[usize::from(*register)] = F::from_f64(*x),
+            }
+        }
+        for (x, register) in inputs.iter().zip(&self.inputs) {
             self.memory.floats[usize::from(*register)] = F::from_f64(*x);
         }
         for stage in &self.code.stages {
@@ -132,8 +149,11 @@ impl<F: Number> Machine<F> {
                 }
             }
         }
-        for (estimate, register) in estimates.iter_mut().zip(&self.code.estimates) {
-            *estimate = self.memory.floats[usize::from(*register)].to_f64();
+        for (estimate, (class, register)) in estimates.iter_mut().zip(&self.code.estimates) {
+            *estimate = match class {
+                Class::Float => self.memory.floats[usize::from(*register)].to_f64(),
+                Class::Word => self.memory.words[usize::from(*register)].into(),
+            };
         }
         match self.memory.words[usize::from(self.code.status)] {
             0 => Status::Converging,
@@ -148,18 +168,26 @@ fn cells(program: &Program) -> impl Iterator<Item = (CellId, &CellKind)> {
     (0..=u16::MAX).map(CellId).zip(program.cells.iter().map(|cell| &cell.kind))
 }
 
+/// Where a field is.
+fn class_of(kind: Kind) -> Class {
+    match kind {
+        Kind::Float => Class::Float,
+        Kind::Count { .. } | Kind::Index => Class::Word,
+    }
+}
+
 /// What has a register whether or not an instruction names it.
 fn fixed(program: &Program) -> Vec<Place> {
     let float = |content| Place { class: Class::Float, content };
     let cells = cells(program).filter_map(|(at, cell)| match cell {
         CellKind::Float { .. } => Some(float(Content::Cell(at))),
         CellKind::Index { .. } => Some(Place { class: Class::Word, content: Content::Cell(at) }),
-        CellKind::Ring { .. } => None,
+        CellKind::Ring { .. } | CellKind::Counts { .. } => None,
     });
     let measurements = (0..=u16::MAX).zip(&program.measurements);
     let inputs = (0..=u16::MAX).zip(&program.inputs);
     cells
-        .chain(measurements.map(|(at, _)| float(Content::Measurement(at))))
+        .chain(measurements.map(|(at, field)| Place { class: class_of(field.kind), content: Content::Measurement(at) }))
         .chain(inputs.map(|(at, _)| float(Content::Input(at))))
         .collect()
 }

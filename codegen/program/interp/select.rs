@@ -11,8 +11,8 @@ use std::collections::HashMap;
 use std::mem;
 
 use self::fuse::Waiting;
-use super::super::{Carried, Loop, Program, Statement, Value};
-use super::instruction::{Block, Content, Instruction, Opcode, Operand, Place};
+use super::super::{Carried, CellKind, Loop, Program, Statement, Value};
+use super::instruction::{Block, Class, Content, Instruction, Opcode, Operand, Place};
 
 /// The instructions of the Program, and where its estimates and its status are behind them.
 pub(super) fn select(program: &Program) -> (Vec<Block>, Vec<Place>, Place) {
@@ -84,7 +84,13 @@ impl Selection<'_> {
                 Statement::SetRing { ring, slot, value } => {
                     let (slot, value) = (self.place(*slot), self.place(*value));
                     let operands = [Operand::WriteRing(*ring), Operand::Read(slot), Operand::Read(value)];
-                    self.emit(Opcode::WriteRing, operands);
+                    match self.program.cells[usize::from(ring.0)].kind {
+                        CellKind::Counts { bits, .. } => {
+                            let mask = Place::constant(Class::Word, u64::from(u32::MAX >> (32 - bits)));
+                            self.emit(Opcode::WriteCounts, operands.into_iter().chain([Operand::Read(mask)]));
+                        }
+                        _ => self.emit(Opcode::WriteRing, operands),
+                    }
                 }
                 Statement::Loop(inner) => self.inner(inner),
             }

@@ -19,6 +19,8 @@ pub struct CFragment {
 
 /// All fragments, each after the ones it requires.
 pub const FRAGMENTS: &[CFragment] = &[
+    CFragment { name: "index_from_f32", requires: &[], source: include_str!("../c/index_from_f32.c") },
+    CFragment { name: "index_from_f64", requires: &[], source: include_str!("../c/index_from_f64.c") },
     CFragment { name: "f32_cell_t", requires: &[], source: include_str!("../c/f32_cell_t.c") },
     CFragment { name: "f32_to_bits", requires: &["f32_cell_t"], source: include_str!("../c/f32_to_bits.c") },
     CFragment { name: "format_f32", requires: &[], source: include_str!("../c/format_f32.c") },

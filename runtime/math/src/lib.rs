@@ -76,6 +76,7 @@ pub mod cost;
 mod f32;
 mod f64;
 mod fixed;
+mod integer;
 mod kernel;
 mod root;
 mod scaled;
@@ -95,17 +96,8 @@ pub use crate::f64::pow::pow_f64;
 pub use crate::f64::sin_cos_tan::{cos_f64, sin_f64, tan_f64};
 pub use crate::f64::sqrt::sqrt_f64;
 pub use crate::f64::tanh::tanh_f64;
-
-/// The nearest `f32` of an index or a count.
-#[must_use]
-#[allow(clippy::cast_precision_loss, reason = "rounding is what it is for")]
-pub fn f32_from_index(x: usize) -> f32 {
-    x as f32
-}
-
-/// The nearest `f64` of an index or a count; exact below 2^53.
-#[must_use]
-#[allow(clippy::cast_precision_loss, reason = "rounding is what it is for")]
-pub fn f64_from_index(x: usize) -> f64 {
-    x as f64
-}
+pub use crate::integer::{
+    difference_16, difference_32, f32_from_index, f32_from_signed, f64_from_index, f64_from_signed, index_from_f32,
+    index_from_f64, index_from_i16, index_from_i32, index_from_u16, index_from_u32, u16_from_index, u32_from_index,
+    wrap_add,
+};

@@ -233,3 +233,24 @@ fn integers_convert() {
     assert_eq!(f32_from_index(4_294_967_295), 4_294_967_296.0);
     assert_eq!(f32_from_index(16_777_217), 16_777_216.0);
 }
+
+/// Claim: counts of 16 and 32 bits are numbers of 32 bits whatever `usize` has, and conversions end where they say.
+#[test]
+fn counts_convert() {
+    assert_eq!((index_from_i16(-1), index_from_u16(65_535)), (4_294_967_295, 65_535));
+    assert_eq!((index_from_i32(i32::MIN), index_from_u32(u32::MAX)), (2_147_483_648, 4_294_967_295));
+    assert_eq!((u16_from_index(0x1_2345), u32_from_index(4_294_967_295)), (0x2345, u32::MAX));
+    assert_eq!(wrap_add(4_294_967_295, 2), 1);
+    assert_eq!((difference_32(1, 4), difference_16(1, 4)), (4_294_967_293, 4_294_967_293));
+    assert_eq!((difference_16(2, 65_535), difference_16(0x8000, 0)), (3, 4_294_934_528));
+    assert_eq!(f64_from_signed(4_294_967_295), -1.0);
+    assert_eq!((f32_from_signed(2_147_483_648), f32_from_signed(2_147_483_647)), (-2_147_483_648.0, 2_147_483_648.0));
+    for (x, whole) in [(1.99, 1_i32), (-1.99, -1), (1e-40, 0), (-3e9, i32::MIN), (f64::NEG_INFINITY, i32::MIN)] {
+        assert_eq!(index_from_f64(x), index_from_i32(whole));
+        assert_eq!(index_from_f32(x as f32), index_from_i32(whole));
+    }
+    for x in [3e9, f64::INFINITY] {
+        assert_eq!((index_from_f64(x), index_from_f32(x as f32)), (2_147_483_647, 2_147_483_520));
+    }
+    assert_eq!((index_from_f64(f64::NAN), index_from_f32(f32::NAN)), (0, 0));
+}

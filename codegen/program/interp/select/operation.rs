@@ -13,8 +13,9 @@ impl Selection<'_> {
             Op::Bool(truth) => self.constant(value, Class::Word, u64::from(*truth)),
             Op::Status(status) => self.constant(value, Class::Word, *status as u64),
             Op::Index(number) => self.constant(value, Class::Word, u64::from(*number)),
-            Op::Measurement(field) => self.alias(value, Content::Measurement(*field)),
-            Op::Input(field) => self.alias(value, Content::Input(*field)),
+            Op::Measurement(field) => self.alias(value, Class::Float, Content::Measurement(*field)),
+            Op::Count(field) => self.alias(value, Class::Word, Content::Measurement(*field)),
+            Op::Input(field) => self.alias(value, Class::Float, Content::Input(*field)),
             Op::Cell(cell) => self.read(value, *cell),
             Op::Gain { column } if self.once(value) => self.wait(value, Waiting::Gain(*column)),
             Op::Gain { column } => {
@@ -25,7 +26,10 @@ impl Selection<'_> {
             Op::Sub(a, b) => self.difference(value, *a, *b),
             Op::Ring { ring, slot } => {
                 let operands = [Operand::ReadRing(*ring), self.argument(*slot)];
-                self.compute(value, Class::Float, Opcode::ReadRing, operands);
+                match self.program.cells[usize::from(ring.0)].kind {
+                    CellKind::Counts { .. } => self.compute(value, Class::Word, Opcode::ReadCounts, operands),
+                    _ => self.compute(value, Class::Float, Opcode::ReadRing, operands),
+                }
             }
             Op::Lookup { table, row, column } => {
                 let operands = [Operand::Number(table.0), self.argument(*row), Operand::Number(*column)];
@@ -64,6 +68,10 @@ impl Selection<'_> {
             Op::AtMost { max, .. } => self.limited(value, Opcode::AtMost, op, *max),
             Op::CountDown(_) => self.plain(value, Class::Word, Opcode::CountDown, op, &[]),
             Op::ToFloat(_) => self.plain(value, Class::Float, Opcode::ToFloat, op, &[]),
+            Op::SignedToFloat(_) => self.plain(value, Class::Float, Opcode::SignedToFloat, op, &[]),
+            Op::FromFloat(_) => self.plain(value, Class::Word, Opcode::FromFloat, op, &[]),
+            Op::WrapAdd(..) => self.plain(value, Class::Word, Opcode::WrapAdd, op, &[]),
+            Op::Difference { bits, .. } => self.limited(value, Opcode::Difference, op, (*bits).into()),
         }
     }
 
@@ -77,16 +85,16 @@ impl Selection<'_> {
         self.places.insert(value, Place::constant(class, bits));
     }
 
-    /// The value is a float that does not change during a step.
-    pub fn alias(&mut self, value: Value, content: Content) {
-        self.places.insert(value, Place { class: Class::Float, content });
+    /// The value does not change during a step.
+    pub fn alias(&mut self, value: Value, class: Class, content: Content) {
+        self.places.insert(value, Place { class, content });
     }
 
     /// The value is what the cell holds now; the cell may change while the value is in use.
     pub fn read(&mut self, value: Value, cell: CellId) {
         let class = match self.program.cells[usize::from(cell.0)].kind {
             CellKind::Index { .. } => Class::Word,
-            CellKind::Float { .. } | CellKind::Ring { .. } => Class::Float,
+            CellKind::Float { .. } | CellKind::Ring { .. } | CellKind::Counts { .. } => Class::Float,
         };
         let to = Place { class, content: Content::Value(value) };
         self.copy(to, Place { class, content: Content::Cell(cell) });
