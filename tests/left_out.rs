@@ -224,3 +224,79 @@ fn the_promised_call_is_kept_when_samples_are_missing_before_it() {
     let bound = bound(&generated, &run);
     assert!(errors.iter().all(|error| *error < bound), "{errors:?} above {bound:e}");
 }
+
+/// An arm that turns many times within the window: folded samples give the estimate of unfolded ones, but for whole
+/// turns; a sample beyond the gate is left out, and a jump is followed after as many as the limit says.
+#[test]
+fn folded_samples_give_what_unfolded_ones_give() {
+    let folded = corpus("lossy_encoder").replace("value = 'q'", "value = 'q', wrap = '2*pi'");
+    let (folded, plain) = (designed(&folded), designed(&corpus("lossy_encoder")));
+    let (tau, steps) = (std::f64::consts::TAU, plain.design.valid_from_step);
+    let mut random = Random::new(5);
+    let (mut wide, mut run) = (Run::default(), Run::default());
+    for call in 0..4 * steps {
+        let t = call as f64 * 1e-3;
+        // Up to 700 rad/s: ten turns in the window, a tenth of a turn a sample.
+        let y = 3000.0 + 40.0 * (15.0 * t).sin() + if random.below(10) == 0 { f64::NAN } else { 0.0 };
+        wide.measurements.push(vec![y]);
+        run.measurements.push(vec![y - tau * (y / tau).round()]);
+        wide.inputs.push(Vec::new());
+        run.inputs.push(Vec::new());
+    }
+    let (one, other) = (run.through(&folded), wide.through(&plain));
+    assert_eq!(one.statuses, other.statuses);
+    for call in steps..4 * steps {
+        let (a, b) = (&one.estimates[call], &other.estimates[call]);
+        let turns = (b[0] - a[0]) / tau;
+        // Folding 3000 rad leaves 1e-12 of the samples; weights raise that as they raise noise.
+        assert!((turns - turns.round()).abs() < 1e-11, "call {call}: {turns}");
+        for (i, scale) in [(1, 1e-9), (2, 1e-8)] {
+            assert!((a[i] - b[i]).abs() < scale, "call {call}: {a:?} {b:?}");
+        }
+    }
+}
+
+/// Equal samples give exactly 0 for every derivative, wherever they stand, folded or with samples missing.
+#[test]
+fn at_standstill_every_derivative_is_zero() {
+    let text = corpus("lossy_encoder").replace("value = 'q'", "value = 'q', wrap = '2*pi'");
+    for scalar in [Scalar::F32, Scalar::F64] {
+        let generated = plant::designed_in(&text, scalar);
+        let steps = generated.design.valid_from_step;
+        let mut run = Run::default();
+        for call in 0..3 * steps {
+            run.measurements.push(vec![if call % 5 == 2 { f64::NAN } else { f64::from(2.7_f32) }]);
+            run.inputs.push(Vec::new());
+        }
+        for estimate in &run.through(&generated).estimates[steps..] {
+            assert_eq!(estimate[..], [f64::from(2.7_f32), 0.0, 0.0]);
+        }
+    }
+}
+
+#[test]
+fn a_sample_beyond_the_gate_is_left_out_until_there_are_too_many() {
+    let generated = designed(&corpus("lossy_arm"));
+    let steps = generated.design.valid_from_step;
+    let run = truth("lossy_arm").unwrap().run(generated.plant.sample_time_s(), 1, 7 * steps, 3);
+    let mut lost = run.clone();
+    let mut far = run.clone();
+    for call in (steps + 5..3 * steps).step_by(7) {
+        lost.measurements[call][0] = f64::NAN;
+        far.measurements[call][0] += if call % 2 == 0 { 0.5 } else { -0.5 };
+    }
+    let (lost, answers) = (lost.through(&generated), far.through(&generated));
+    assert_eq!(lost.statuses, answers.statuses);
+    assert_eq!(lost.estimates, answers.estimates);
+    // From call 4N on the arm is a third of a turn further, for good: N rejected samples, then a window.
+    for row in &mut far.measurements[4 * steps..] {
+        row[0] += 2.0;
+    }
+    let answers = far.through(&generated);
+    let status = |call: usize| answers.statuses[call];
+    assert_eq!(status(4 * steps - 1), Status::Converged);
+    assert_eq!(status(5 * steps - 2), Status::Coasting);
+    assert_eq!(status(5 * steps - 1), Status::Converging);
+    assert_eq!(status(6 * steps - 1), Status::Converging);
+    assert!(answers.statuses[6 * steps..].iter().all(|status| *status == Status::Converged));
+}

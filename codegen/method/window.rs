@@ -20,11 +20,12 @@
 //! interval's input, so that a jump of the input costs nothing.
 
 mod left_out;
+mod rates;
 
 use std::ops::Range;
 use std::sync::Arc;
 
-use super::{Keyed, Method};
+use super::{Cannot, Feature, Keyed, Method};
 use crate::decimal::show;
 use crate::design::{Convergence, Design, Fir, NamedMatrix, Shape};
 use crate::diagnostic::{Diagnostic, codes};
@@ -34,7 +35,6 @@ use crate::program::Scalar;
 use crate::real::{Matrix, Precision, Real, equilibrated_columns, rank, singular_values};
 use crate::spec::Quantity;
 use crate::spec::reader::Table;
-use crate::window::irregular::Pattern;
 use crate::window::minimax::best_rows;
 use crate::window::model::{Between, Model, signals_between};
 use crate::window::realize::{
@@ -77,7 +77,7 @@ struct Keys {
     weighting: Weighting,
     weights_span: Range<usize>,
     hold: (Between, Range<usize>),
-    missing: (Missing, Range<usize>),
+    missing: (Option<Missing>, Range<usize>),
     wanted: Wanted,
     wanted_span: Range<usize>,
 }
@@ -102,7 +102,8 @@ fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
     let weighting = table.choice("weights", &words, Weighting::Equal);
     let hold = read_hold(table);
     let missing_span = table.key_span("missing");
-    let missing = (table.choice("missing", &left_out::WORDS, Missing::Predicted), missing_span);
+    let missing = table.has("missing").then(|| table.choice("missing", &left_out::WORDS, Missing::Predicted));
+    let missing = (missing, missing_span);
     let wanted_span = table.key_span("realization");
     let wanted = table.choice("realization", &WORDS, Wanted::Auto);
     Some(Arc::new(Keys { window: window?, weighting, weights_span, hold, missing, wanted, wanted_span }))
@@ -114,6 +115,14 @@ pub(super) const VERDICT_BITS: usize = 256;
 const VERDICTS: [usize; 3] = [VERDICT_BITS, 1_024, 4_096];
 
 impl Keyed for Keys {
+    fn observed(&self, plant: Plant) -> Result<Plant, Vec<Diagnostic>> {
+        if self.leaves_out(&plant) { self.counted(plant) } else { Ok(plant) }
+    }
+
+    fn cannot(&self, feature: Feature, plant: &Plant) -> Option<Cannot> {
+        if self.leaves_out(plant) { left_out::cannot(feature, plant) } else { super::not_yet(feature) }
+    }
+
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {
         let mut found = refuse_unknowns(plant, METHOD.name);
         let steps = window_steps(plant, &self.window, &mut found);
@@ -128,8 +137,8 @@ impl Keyed for Keys {
             return Err(found);
         }
         let condition = verdict(plant, &delays, steps, &span)?;
-        if self.missing.0 == Missing::LeftOut {
-            let pattern = Pattern::new(vec![1; plant.outputs.len()], delays);
+        if self.leaves_out(plant) {
+            let pattern = rates::pattern(plant, delays, steps, &span)?;
             return self.left_out(plant, &signals, steps, pattern, condition);
         }
         let choice = self.choice(plant, &delays, steps)?;

@@ -130,7 +130,7 @@ impl Irregular {
     pub fn amplification(&self) -> f64 {
         let (n, steps) = (self.phi.len(), self.rows.len() - 1);
         let mut worst = 0.0_f64;
-        for phase in 0..self.pattern.period() {
+        for phase in self.pattern.phases() {
             let mut normal = nalgebra::DMatrix::zeros(n, n);
             let mut terms = nalgebra::DVector::zeros(n);
             for age in 0..=steps {
@@ -263,7 +263,7 @@ fn rounded(pass: &mut Pass, coarse: &Exact, fine: &Exact, outputs: usize) -> Irr
 fn smallest_pivot(rows: &[Vec<Vec<Settled>>], pattern: &Pattern) -> f64 {
     let (n, steps) = (rows[0][0].len(), rows.len() - 1);
     let mut smallest = f64::INFINITY;
-    for phase in 0..pattern.period() {
+    for phase in pattern.phases() {
         let mut normal = vec![vec![0.0; n]; n];
         for (place, outputs) in rows.iter().enumerate() {
             for (_, row) in outputs.iter().enumerate().filter(|(o, _)| pattern.there(phase, steps - place, *o)) {

@@ -71,6 +71,8 @@ pub(crate) struct Sampled {
     present: Vec<Value>,
     /// Likewise: the slot of the time that a sample shows.
     slots: Vec<Value>,
+    /// Calls since a sample was accepted, where that is asked for.
+    coasted: Option<Value>,
 }
 
 /// A step being written.
@@ -118,6 +120,9 @@ impl<'a> Lowering<'a> {
             self.builder.section("the estimate; until there is one, the start");
             let (known, renewed) = (answer.usable, Some(answer.enough));
             self.report(&answer.estimate, &sampled, &Standing { known, determined: known, renewed });
+            if let Some(coasted) = sampled.coasted {
+                self.builder.estimate(field("coasted", "", "calls since the newest accepted sample"), coasted);
+            }
             return;
         }
         let estimate = self.estimate(&sampled, before, count);
@@ -164,6 +169,10 @@ impl<'a> Lowering<'a> {
         for (o, (kept, value)) in self.cells.outputs.iter().zip(&sampled.outputs).enumerate() {
             let slot = sampled.slots.get(o).copied().unwrap_or(sampled.newest);
             kept.write(&mut self.builder, slot, *value);
+            if slot != sampled.newest && self.plant.outputs[o].wrap.is_some() {
+                // Until the sample of now comes, nothing has moved.
+                kept.write(&mut self.builder, sampled.newest, *value);
+            }
         }
         let present = self.cells.memory.as_ref().map(|memory| memory.present.as_slice()).unwrap_or_default();
         for ((ring, value), slot) in present.iter().zip(&sampled.present).zip(&sampled.slots) {

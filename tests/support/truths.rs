@@ -23,6 +23,8 @@ pub fn truth(name: &str) -> Option<Truth> {
         "fixed_time_linear" => shaker(),
         "inverted_cart" => inverted_cart(0.3),
         "late_position" | "lossy_position" => late_position(0.4),
+        "lossy_arm" => lossy_arm(),
+        "two_rates" => two_rates(),
         "long_window" | "high_gain" => long_window(),
         "magnetic_levitation" => magnetic_levitation(),
         "mass_chain" => mass_chain(),
@@ -190,6 +192,33 @@ pub fn inverted_cart(ground: f64) -> Truth {
         start: vec![(-0.1, 0.1), (-0.05, 0.05), (-0.2, 0.2), (-0.1, 0.1)],
         input: vec![(-1.0, 1.0)],
         exact: ground == 0.0,
+    }
+}
+
+/// Swings that stay within a turn, so that the estimate of a wrapped angle is the angle.
+fn lossy_arm() -> Truth {
+    Truth {
+        discrete: false,
+        change: Box::new(|_, x, u| vec![x[1], 8.0 * u[0] - 35.0 * x[0].sin() - x[1]]),
+        outputs: Box::new(|x| vec![x[0]]),
+        delays: vec![0.0],
+        holds: vec![Hold::Zero],
+        start: vec![(-0.5, 0.5), (-2.0, 2.0)],
+        input: vec![(-1.0, 1.0)],
+        exact: false,
+    }
+}
+
+fn two_rates() -> Truth {
+    Truth {
+        discrete: false,
+        change: Box::new(|_, x, u| vec![x[1], u[0] / 2.5 - 0.8 * x[1] + x[2], 0.0]),
+        outputs: Box::new(|x| vec![x[0], x[1]]),
+        delays: vec![0.02, 0.0],
+        holds: vec![Hold::Zero],
+        start: vec![(-1.0, 1.0), (-1.0, 1.0), (-0.5, 0.5)],
+        input: vec![(-2.0, 2.0)],
+        exact: true,
     }
 }
 

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use super::super::{Cannot, Feature};
 use super::{Keys, METHOD, Weighting, constants, fir, resolution_warnings, time_warning};
 use crate::describe::short;
 use crate::design::{Convergence, Design, Shape};
@@ -29,7 +30,44 @@ pub(super) const WORDS: [(&str, Missing); 2] = [("predicted", Missing::Predicted
 /// The most operations of a step: 10 ms of a processor that does forty million a second.
 const MOST_OPERATIONS: usize = 400_000;
 
+/// What a step that leaves samples out cannot do.
+pub(super) fn cannot(feature: Feature, plant: &Plant) -> Option<Cannot> {
+    let late = || plant.outputs.iter().any(|output| output.delay.is_some() && output.gate.is_some());
+    let (why, instead) = match feature {
+        Feature::Gate if late() => {
+            ("the sample is late, and no prediction of it is kept", "leave out `gate` or `delay`")
+        }
+        Feature::Wrap | Feature::Gate | Feature::Every | Feature::Coasted | Feature::Ahead => return None,
+        Feature::Counter => (
+            "rows of samples that are there are solved in floats",
+            "hand over floats with `quantum` and `wrap`, or leave out `missing`",
+        ),
+        Feature::Age | Feature::InitAt => ("it is not built yet", "leave the key out"),
+    };
+    Some(Cannot { why, instead })
+}
+
 impl Keys {
+    /// Whether the step solves for the rows that are there: asked for, or the only way.
+    pub(super) fn leaves_out(&self, plant: &Plant) -> bool {
+        let irregular = plant.outputs.iter().any(|output| output.every > 1 || output.aged.is_some());
+        irregular || self.missing.0 == Some(Missing::LeftOut)
+    }
+
+    /// The plant with an estimate that says how old the newest sample is.
+    pub(super) fn counted(&self, mut plant: Plant) -> Result<Plant, Vec<Diagnostic>> {
+        plant.coasted = true;
+        match plant.states.iter().find(|state| state.label.name == "coasted") {
+            None => Ok(plant),
+            Some(state) => {
+                let message = "`coasted` is a field of the estimate";
+                let error = Diagnostic::error(codes::BAD_NAME, state.label.span.clone(), message);
+                let error = error.context(self.missing.1.clone(), "calls since the newest accepted sample");
+                Err(vec![error.help("another name for the state")])
+            }
+        }
+    }
+
     /// The design, for samples that come as a pattern says when none is lost.
     pub(super) fn left_out(
         &self,
@@ -86,6 +124,10 @@ impl Keys {
             let error = Diagnostic::error(codes::BAD_COMBINATION, span.clone(), message);
             found.push(error.context(self.missing.1.clone(), "the step solves for the rows that are there").help(help));
         };
+        if self.missing.0 == Some(Missing::Predicted) {
+            let message = "samples that come at a rate of their own cannot be predicted in between";
+            refuse(&self.missing.1, message, "leave out `missing`, or `every` and `age`");
+        }
         if self.weighting == Weighting::Minimax {
             let message = "minimax weights are of all samples of a window";
             refuse(&self.weights_span, message, "leave out `weights`, or write `missing = \"predicted\"`");
@@ -138,9 +180,12 @@ fn notes(irregular: &Irregular, steps: usize) -> Vec<String> {
             .to_owned(),
         "where those that are there do not determine the state, the model's prediction stands in (COASTING)".to_owned(),
     ];
-    let period = irregular.pattern.period();
+    let period = irregular.phases.len();
     if period > 1 {
-        notes.push(format!("gains at the worst of {period} calls, which are those of {} samples a window", steps + 1));
+        notes.push(format!(
+            "gains at the worst of {period} phases with the samples that are due, {} calls a window; `design` has each",
+            steps + 1
+        ));
     }
     notes
 }

@@ -38,7 +38,7 @@ pub fn certify(
         initial_gain: Vec::new(),
     };
     let mut phases = Vec::new();
-    for phase in 0..irregular.pattern.period() {
+    for phase in irregular.pattern.phases() {
         let weights = irregular.weights(&|age, o| irregular.pattern.there(phase, age, o))?;
         let gains = noise_gains(&weights);
         raise(&mut worst.noise_gain_l1, &gains.noise_gain_l1);

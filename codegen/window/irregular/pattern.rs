@@ -23,9 +23,15 @@ impl Pattern {
         Self::new(vec![every; outputs], vec![0; outputs])
     }
 
-    /// Calls after which it begins again; the phases of a window are as many.
-    pub fn period(&self) -> usize {
-        self.every.iter().fold(1, |period, every| period / common_divisor(period, *every) * every)
+    /// Calls after which it begins again, which are as many phases of a window; `None` for too many to count.
+    pub fn period(&self) -> Option<usize> {
+        let mut every = self.every.iter();
+        every.try_fold(1_usize, |period, every| (period / common_divisor(period, *every)).checked_mul(*every))
+    }
+
+    /// The phases.
+    pub fn phases(&self) -> std::ops::Range<usize> {
+        0..self.period().unwrap_or(0)
     }
 
     /// Whole samples of delay, per output.
@@ -57,7 +63,7 @@ impl Pattern {
             let all: Vec<&Vec<f64>> = (0..=steps).flat_map(there).map(|(age, o)| &rows[age][o]).collect();
             rank(&all, n)
         };
-        (0..self.period()).map(of_phase).min().unwrap_or(0)
+        self.phases().map(of_phase).min().unwrap_or(0)
     }
 }
 

@@ -92,6 +92,7 @@ impl<'a> Lowering<'a> {
             inputs: signals.injections.inputs,
             present: Vec::new(),
             slots: Vec::new(),
+            coasted: None,
         }
     }
 

@@ -2,9 +2,11 @@
 //! where a nonlinear term needs its value.
 
 use crate::expr::Symbol;
+use crate::front;
 use crate::program::Value;
 
 use super::super::{Part, Source};
+use super::injections::round;
 use super::irregular::Memory;
 use super::sample::{Signals, all, any, gone};
 use super::{Lowering, Sampled};
@@ -23,16 +25,21 @@ impl Lowering<'_> {
             self.without_inputs(read, &signals.injections.inputs).into_iter().unzip();
         let newest = self.builder.advance(before, window);
         let feeds = self.feeds();
-        let foreseen = feeds.contains(&true).then(|| {
-            self.builder.section("prediction, for nonlinear terms of a sample that is missing");
+        let gated = self.plant.outputs.iter().any(|output| output.gate.is_some());
+        let foreseen = (gated || feeds.contains(&true)).then(|| {
+            self.builder.section("prediction of what the samples show");
             self.known_before_the_samples(&mut signals, before);
             self.foresee(&signals.values, before)
         });
+        let (good, mut lost) = match &foreseen {
+            Some(state) if gated => self.gate((&measured, &good), state),
+            _ => (good, Vec::new()),
+        };
         let (zero, one) = (self.builder.float(0.0), self.builder.float(1.0));
-        let slots: Vec<Value> = (0..outputs).map(|o| self.slot(o, newest)).collect();
+        let slots: Vec<(Value, Value)> = (0..outputs).map(|o| self.slot(o, before, newest)).collect();
         let used: Vec<Value> = (0..outputs)
             .map(|o| {
-                let last = self.last(o, before, slots[o]);
+                let last = self.cells.outputs[o].read(&mut self.builder, slots[o].0);
                 let instead = if feeds[o] { self.instead(o, foreseen.as_deref(), last) } else { last };
                 self.builder.select(good[o], measured[o], instead)
             })
@@ -51,10 +58,13 @@ impl Lowering<'_> {
         self.known_with_the_samples(&mut signals, before, &used);
         let Signals { injections, values, now, since } = signals;
         let values: Vec<Value> = values.into_iter().flatten().collect();
-        let (outputs, lost) = match foreseen {
-            Some(_) => self.settle_stand_ins(&feeds, (&measured, &good), &used, &values),
-            None => (used, self.builder.boolean(false)),
+        let (outputs, runs_away) = match foreseen {
+            Some(_) if feeds.contains(&true) => self.settle_stand_ins(&feeds, (&measured, &good), &used, &values),
+            _ => (used, Vec::new()),
         };
+        lost.extend(runs_away);
+        let lost = any(&mut self.builder, &lost);
+        let coasted = self.plant.coasted.then(|| self.coasted(&good));
         let samples_good = self.builder.boolean(true);
         let of_now: Vec<Value> = expected.into_iter().chain(now).collect();
         let (interval_good, newest_good) = (all(&mut self.builder, &since), all(&mut self.builder, &of_now));
@@ -70,8 +80,54 @@ impl Lowering<'_> {
             signals: values,
             inputs: injections.inputs,
             present,
-            slots,
+            slots: slots.into_iter().map(|(_, slot)| slot).collect(),
+            coasted,
         }
+    }
+
+    /// Samples that are near what the model predicts, where there is an estimate; and whether to start again, after
+    /// too many in a row that were not.
+    fn gate(&mut self, (measured, good): (&[Value], &[Value]), state: &[Value]) -> (Vec<Value>, Vec<Value>) {
+        let plant = self.plant;
+        let known = self.known();
+        let unknown = self.builder.not(known);
+        let (mut accepted, mut lost) = (good.to_vec(), Vec::new());
+        for (o, output) in plant.outputs.iter().enumerate() {
+            let (Some(gate), Some(cell)) = (&output.gate, self.memory().rejected[o]) else { continue };
+            let size = round(&gate.size, plant.scalar);
+            let limit = gate.limit.unwrap_or(self.window() - 1).max(1);
+            let predicted = self.shown(o, state);
+            let b = &mut self.builder;
+            let off = b.sub(measured[o], predicted);
+            let off = front::folded(b, output, off, plant.scalar);
+            let near = b.in_range(off, -size, size);
+            let believed = b.or(near, unknown);
+            accepted[o] = b.and(good[o], believed);
+            let far = b.not(believed);
+            let rejected = b.and(good[o], far);
+            let (none, before) = (b.index(0), b.read(cell));
+            let more = b.count_up(before, limit);
+            let kept = b.select(accepted[o], none, before);
+            let count = b.select(rejected, more, kept);
+            let last = b.index(limit - 1);
+            let over = b.index_less(last, count);
+            let count = b.select(over, none, count);
+            b.set(cell, count);
+            lost.push(over);
+        }
+        (accepted, lost)
+    }
+
+    /// Calls since a sample was accepted.
+    fn coasted(&mut self, good: &[Value]) -> Value {
+        let cell = self.memory().coasted;
+        let b = &mut self.builder;
+        let accepted = any(b, good);
+        let (none, before) = (b.index(0), b.read(cell));
+        let more = b.count_up(before, u32::MAX);
+        let since = b.select(accepted, none, more);
+        b.set(cell, since);
+        since
     }
 
     /// Per output: whether a nonlinear term needs its value.
@@ -91,21 +147,15 @@ impl Lowering<'_> {
         self.cells.memory.as_ref().unwrap_or_else(|| unreachable!("declared with the solve"))
     }
 
-    /// Where a sample of this call stands: at the slot of the time that it shows.
-    fn slot(&mut self, output: usize, newest: Value) -> Value {
-        let Some(cell) = self.memory().late[output] else { return newest };
+    /// Where a sample of this call stands: at the slot of the time that it shows; with the slot before.
+    fn slot(&mut self, output: usize, before: Value, newest: Value) -> (Value, Value) {
+        let Some(cell) = self.memory().late[output] else { return (before, newest) };
         let window = self.window();
         let before = self.builder.read(cell);
         let before = self.builder.at_most(before, window - 1);
         let slot = self.builder.advance(before, window);
         self.builder.set(cell, slot);
-        slot
-    }
-
-    /// What is kept where there is no sample.
-    fn last(&mut self, output: usize, before: Value, slot: Value) -> Value {
-        let late = self.memory().late[output].is_some();
-        self.cells.outputs[output].read(&mut self.builder, if late { slot } else { before })
+        (before, slot)
     }
 
     /// The state as the model predicts it before the samples are known: what runs to a value that they bring stays
@@ -126,12 +176,23 @@ impl Lowering<'_> {
     /// What the model predicts of an output where there is an estimate, else what it showed last.
     fn instead(&mut self, output: usize, state: Option<&[Value]>, last: Value) -> Value {
         let Some(state) = state else { return last };
-        let predicted = self.shown(output, state);
-        let (low, high) = self.guard.outputs[output];
-        let sane = self.builder.in_range(predicted, low, high);
+        let (predicted, sane) = self.stand_in(output, state);
         let known = self.known();
         let usable = self.builder.and(known, sane);
         self.builder.select(usable, predicted, last)
+    }
+
+    /// What an output shows of a predicted state, folded where it wraps; and whether a sample may be so.
+    fn stand_in(&mut self, output: usize, state: &[Value]) -> (Value, Value) {
+        let (plant, (low, high)) = (self.plant, self.guard.outputs[output]);
+        let predicted = self.shown(output, state);
+        let b = &mut self.builder;
+        let predicted = front::folded(b, &plant.outputs[output], predicted, plant.scalar);
+        let (low, high) = plant.outputs[output].wrap.as_ref().map_or((low, high), |wrap| {
+            let turn = round(&wrap.turn, plant.scalar);
+            (low.max(-turn), high.min(turn))
+        });
+        (predicted, b.in_range(predicted, low, high))
     }
 
     /// What the window keeps for nonlinear terms, now that the signals are known at both ends; and whether to start
@@ -142,7 +203,7 @@ impl Lowering<'_> {
         (measured, good): (&[Value], &[Value]),
         used: &[Value],
         signals: &[Value],
-    ) -> (Vec<Value>, Value) {
+    ) -> (Vec<Value>, Vec<Value>) {
         let state = self.predicted_state(signals);
         let known = self.known();
         let mut lost = Vec::new();
@@ -152,9 +213,7 @@ impl Lowering<'_> {
                 kept.push(used[o]);
                 continue;
             }
-            let predicted = self.shown(o, &state);
-            let (low, high) = self.guard.outputs[o];
-            let sane = self.builder.in_range(predicted, low, high);
+            let (predicted, sane) = self.stand_in(o, &state);
             let usable = self.builder.and(known, sane);
             let instead = self.builder.select(usable, predicted, used[o]);
             kept.push(self.builder.select(good[o], measured[o], instead));
@@ -172,7 +231,7 @@ impl Lowering<'_> {
             let some_left = self.builder.not(all);
             lost.push(self.builder.and(some, some_left));
         }
-        (kept, any(&mut self.builder, &lost))
+        (kept, lost)
     }
 
     /// Whether the last call had an estimate.
