@@ -60,6 +60,7 @@ pub fn json(generated: &Generated) -> Value {
             "disturbance_gain_l1": certificate.disturbance_gain_l1,
             "error_bound": certificate.error_bound,
             "initial_gain": certificate.initial_gain,
+            "one_count": generated.one_count.0,
         },
         "cost": {
             "ram_bytes": cost.ram_bytes,
