@@ -126,11 +126,11 @@ impl Keyed for Keys {
                 why: "its integrals from samples are no sums of differences",
                 instead: "`form = \"exact\"`, or the method `window`",
             }),
-            Feature::Wrap | Feature::Gate if self.intermittent.is_some() => Some(Cannot {
+            Feature::Wrap | Feature::Counter | Feature::Gate if self.intermittent.is_some() => Some(Cannot {
                 why: "measurements come at irregular times",
                 instead: "the method `window`, with NaN for what is missing",
             }),
-            Feature::Wrap | Feature::Gate | Feature::Ahead => None,
+            Feature::Wrap | Feature::Counter | Feature::Gate | Feature::Ahead => None,
             _ => Some(NOT_YET),
         }
     }

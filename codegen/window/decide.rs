@@ -10,7 +10,7 @@ use super::realize::ping_pong::PingPong;
 use super::realize::recursive::Recursive;
 use super::realize::two_level::TwoLevel;
 use super::realize::{Depth, Load, Refusal, Request, Wanted, Way};
-use super::{Part, count};
+use super::{Functional, Part, count};
 
 /// Weights up to which one sum over the window is best: bit-reproducible, nothing that could rot, few enough.
 const FEW_WEIGHTS: usize = 1_000;
