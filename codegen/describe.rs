@@ -144,6 +144,14 @@ fn measured(output: &crate::plant::Output) -> String {
     text
 }
 
+/// What a sample may be off by, where that has parts.
+pub fn noise_parts(output: &crate::plant::Output) -> Option<String> {
+    let value = |constant: &crate::expr::Constant| short(constant.to_f64().unwrap_or(f64::NAN));
+    let total = output.noise.as_ref().filter(|_| !output.noise_parts.is_empty())?;
+    let parts: Vec<String> = output.noise_parts.iter().map(|(what, part)| format!("{} {what}", value(part))).collect();
+    Some(format!("noise of {}: at most {}, of which {}", output.label.name, value(total), parts.join(", ")))
+}
+
 fn converged(generated: &Generated) -> String {
     let step = generated.design.valid_from_step;
     let time = format!("{:.9}", crate::window::seconds(step, generated.plant.sample_time_s()));
@@ -183,10 +191,13 @@ fn converged(generated: &Generated) -> String {
 
 /// How long a missing sample tells, where that is no window's length.
 fn coasting(generated: &Generated) -> Option<String> {
-    let Shape::Corrector(corrector) = &generated.design.shape else { return None };
-    let calls = corrector.recovery;
-    let calls = if calls == 1 { "1 good call".into() } else { format!("{calls} good calls in a row") };
-    Some(format!("Coasting   from a missing sample on, until {calls} have followed"))
+    let calls = match &generated.design.shape {
+        Shape::Corrector(corrector) => corrector.recovery,
+        Shape::Baseline(baseline) => baseline.recovery,
+        _ => return None,
+    };
+    let calls = if calls == 1 { "1 good call has".into() } else { format!("{calls} good calls in a row have") };
+    Some(format!("Coasting   from a missing sample on, until {calls} followed"))
 }
 
 /// A share of an error; below the digits that it was computed with, that.
@@ -211,6 +222,9 @@ fn costs(generated: &Generated) -> Vec<String> {
 
 /// Gains and bounds, of each window where there are several.
 fn certificate(generated: &Generated) -> Vec<String> {
+    if let Shape::Baseline(baseline) = &generated.design.shape {
+        return vec![format!("  {}", baseline.no_gains())];
+    }
     let mut lines = gains(generated, &generated.design.certificate);
     let Shape::Window(functional) = &generated.design.shape else { return lines };
     let length = |steps: usize| {

@@ -53,6 +53,7 @@ pub fn json(generated: &Generated) -> Value {
         "constants": constants,
         "fir": fir,
         "certificate": promised(&design.certificate),
+        "one_count": generated.one_count.0,
         "cost": {
             "ram_bytes": cost.ram_bytes,
             "flash_bytes": cost.flash_bytes,
