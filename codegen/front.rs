@@ -32,11 +32,14 @@ pub(crate) fn read(b: &mut Builder, plant: &Plant, output: usize, range: (f64, f
         return (value, b.in_range(value, range.0, range.1));
     }
     let rounded = |limit| round(limit, scalar);
-    let (low, high) = sensor.raw_range.as_ref().map_or(range, |(low, high)| (rounded(low), rounded(high)));
-    let (low, high) = sensor.wrap.as_ref().map_or((low, high), |wrap| {
-        let most = farthest(rounded(&wrap.turn), scalar);
-        (low.max(-most), high.min(most))
-    });
+    let declared = sensor.raw_range.as_ref().map(|(low, high)| (rounded(low), rounded(high)));
+    let (low, high) = match &sensor.wrap {
+        Some(wrap) => {
+            let most = farthest(rounded(&wrap.turn), scalar);
+            declared.map_or((-most, most), |(low, high)| (low.max(-most), high.min(most)))
+        }
+        None => declared.unwrap_or(range),
+    };
     let good = if sensor.counter.is_some() && sensor.raw_range.is_none() {
         // A count is always a number.
         b.boolean(true)

@@ -21,6 +21,7 @@ mod recursive;
 pub(crate) mod report;
 pub(crate) mod sample;
 mod sums;
+mod there;
 mod two_level;
 mod windows;
 
@@ -76,6 +77,10 @@ pub(crate) struct Sampled {
     inputs: Vec<Value>,
     /// Per output, where the estimate is of the samples that are there: 1 for a sample, 0 for none.
     present: Vec<Value>,
+    /// Likewise: the slot of the time that a sample shows.
+    slots: Vec<Value>,
+    /// Calls since a sample was accepted, where that is asked for.
+    coasted: Option<Value>,
 }
 
 /// A step being written.
@@ -204,12 +209,23 @@ impl<'a> Lowering<'a> {
     pub(crate) fn store(&mut self, sampled: &Sampled) {
         self.builder.section("into the window");
         self.builder.set(self.cells.newest, sampled.newest);
-        for ((kept, value), count) in self.cells.outputs.iter().zip(&sampled.outputs).zip(&sampled.counts) {
-            kept.write(&mut self.builder, sampled.newest, count.unwrap_or(*value));
+        let kept = self.cells.outputs.iter().zip(&sampled.outputs).zip(&sampled.counts);
+        for (o, ((kept, value), count)) in kept.enumerate() {
+            let slot = sampled.slots.get(o).copied().unwrap_or(sampled.newest);
+            kept.write(&mut self.builder, slot, count.unwrap_or(*value));
+            if slot != sampled.newest && self.plant.outputs[o].wrap.is_some() {
+                // Until the sample of now comes, nothing has moved.
+                kept.write(&mut self.builder, sampled.newest, *value);
+            }
         }
         let present = self.cells.memory.as_ref().map(|memory| memory.present.as_slice()).unwrap_or_default();
-        for (ring, value) in present.iter().zip(&sampled.present) {
-            self.builder.set_ring(*ring, sampled.newest, *value);
+        for ((ring, value), slot) in present.iter().zip(&sampled.present).zip(&sampled.slots) {
+            if *slot != sampled.newest {
+                // The sample of now comes later.
+                let none = self.builder.float(0.0);
+                self.builder.set_ring(*ring, sampled.newest, none);
+            }
+            self.builder.set_ring(*ring, *slot, *value);
         }
         for (kept, value) in self.cells.signals.iter().zip(&sampled.signals) {
             kept.write(&mut self.builder, sampled.newest, *value);

@@ -8,7 +8,7 @@ use crate::program::{CellId, Value};
 use super::super::Functional;
 use super::count::longest_count;
 use super::irregular::Memory;
-use super::{injections, kept_len, late_len};
+use super::{injections, kept_len, late_len, window_len};
 
 /// What is kept of a sampled signal.
 #[derive(Clone, Copy, Debug)]
@@ -83,6 +83,8 @@ pub(crate) struct Cells {
     pub(super) late: Vec<Option<CellId>>,
     /// Calls since init.
     pub(super) calls: CellId,
+    /// Calls since a sample was accepted, where they are asked for.
+    pub(super) coasted: Option<CellId>,
     /// Of an estimate from the samples that are there.
     pub(super) memory: Option<Memory>,
 }
@@ -134,10 +136,12 @@ pub(super) fn declare(builder: &mut Builder, plant: &Plant, functional: &Functio
         )
     });
     let missed = missed.collect();
+    // Where samples are left out, the solve keeps these.
+    let predicts = functional.irregular.is_none();
     let rejected = plant.outputs.iter().map(|output| {
         let name = &output.label.name;
         let doc = format!("samples of {name} rejected in a row");
-        output.gate.as_ref().map(|_| builder.index_cell(&format!("rejected_{name}"), &doc, 0))
+        output.gate.as_ref().filter(|_| predicts).map(|_| builder.index_cell(&format!("rejected_{name}"), &doc, 0))
     });
     let rejected = rejected.collect();
     let irregular = if functional.gaps.is_some() { plant.outputs.as_slice() } else { &[] };
@@ -165,11 +169,29 @@ pub(super) fn declare(builder: &mut Builder, plant: &Plant, functional: &Functio
         }
     }
     let calls = builder.index_cell("calls", "calls since init", 0);
-    let memory = functional.irregular.as_ref().map(|_| memory(builder, plant, window));
-    Cells { outputs, signals, inputs, newest, count, missed, rejected, gaps, coasting, ahead, late, calls, memory }
+    let coasted = plant.coasted && predicts;
+    let coasted = coasted.then(|| builder.index_cell("since", "calls since a sample was accepted", 0));
+    let memory = functional.irregular.as_ref().map(|_| memory(builder, plant, functional));
+    Cells {
+        outputs,
+        signals,
+        inputs,
+        newest,
+        count,
+        missed,
+        rejected,
+        gaps,
+        coasting,
+        ahead,
+        late,
+        calls,
+        coasted,
+        memory,
+    }
 }
 
-fn memory(builder: &mut Builder, plant: &Plant, window: u32) -> Memory {
+fn memory(builder: &mut Builder, plant: &Plant, functional: &Functional) -> Memory {
+    let window = window_len(functional);
     let present = plant.outputs.iter().map(|output| {
         let name = &output.label.name;
         builder.ring(&format!("has_{name}"), &format!("1 where there is a sample of {name}, by slot"), window, 0.0)
@@ -180,7 +202,21 @@ fn memory(builder: &mut Builder, plant: &Plant, window: u32) -> Memory {
         builder.float_cell(&format!("next_{name}"), &format!("{name} as the model predicts it, as far as known"), 0.0)
     });
     let next = next.collect();
-    Memory { present, next, known: builder.index_cell("known", "whether that comes from an estimate", 0) }
+    let known = builder.index_cell("known", "whether that comes from an estimate", 0);
+    let late = plant.outputs.iter().enumerate().map(|(o, output)| {
+        let delay = late_len(functional, o);
+        let (name, doc) = (format!("slot_{}", output.label.name), "slot of the time that the newest sample shows");
+        (delay > 0).then(|| builder.index_cell(&name, doc, window - 1 - delay))
+    });
+    let late = late.collect();
+    let rejected = plant.outputs.iter().map(|output| {
+        let name = &output.label.name;
+        let cell = (format!("rejected_{name}"), format!("samples of {name} beyond the gate in a row"));
+        output.gate.as_ref().map(|_| builder.index_cell(&cell.0, &cell.1, 0))
+    });
+    let rejected = rejected.collect();
+    let coasted = builder.index_cell("since", "calls since a sample was accepted", 0);
+    Memory { present, next, known, late, rejected, coasted }
 }
 
 pub(crate) fn bracketed(unit: &str) -> String {

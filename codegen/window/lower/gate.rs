@@ -13,7 +13,7 @@ impl Lowering<'_> {
     /// Takes from `good` what is further from its place than its gate, by its `distance`; whether one output has lost patience, so that
     /// the window starts again with its sample. Before convergence, and without a usable prediction, every sample is
     /// believed.
-    pub(super) fn gate(
+    pub(super) fn doubt(
         &mut self,
         distance: &[Value],
         place: &[Value],

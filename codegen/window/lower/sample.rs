@@ -11,14 +11,14 @@ use super::injections::{Injections, Moment};
 use super::{Lowering, Sampled, late_len, place};
 
 /// The signals of this call, as far as they are known.
-struct Signals<'a> {
-    injections: Injections<'a>,
+pub(super) struct Signals<'a> {
+    pub(super) injections: Injections<'a>,
     /// Per signal.
-    values: Vec<Option<Value>>,
+    pub(super) values: Vec<Option<Value>>,
     /// Whether what was sampled now was good: one per sample that may be bad.
-    now: Vec<Value>,
+    pub(super) now: Vec<Value>,
     /// Whether what was applied since the last call was good.
-    since: Vec<Value>,
+    pub(super) since: Vec<Value>,
 }
 
 impl<'a> Lowering<'a> {
@@ -45,7 +45,7 @@ impl<'a> Lowering<'a> {
         let place: Vec<Value> = (0..outputs).map(|o| self.placed(o, predicted[o], last[o])).collect();
         let distance: Vec<Value> =
             (0..outputs).map(|o| self.distance(o, (measured[o], place[o]), predicted[o], before)).collect();
-        let again = self.gate(&distance, &place, &mut good, count);
+        let again = self.doubt(&distance, &place, &mut good, count);
         let candidates: Vec<Value> = (0..outputs)
             .map(|o| {
                 // The injections are guarded for samples within the range; so must be what stands in for one.
@@ -78,6 +78,7 @@ impl<'a> Lowering<'a> {
             })
             .unzip();
 
+        let coasted = self.cells.coasted.map(|cell| self.coasted(cell, &good));
         let patience = |o: usize| window - late_len(self.functional, o);
         let missed: Vec<_> = self.cells.missed.iter().enumerate().map(|(o, cell)| (*cell, patience(o))).collect();
         lost.extend(abandoned(&mut self.builder, &missed, &good));
@@ -101,57 +102,13 @@ impl<'a> Lowering<'a> {
             signals: values,
             inputs: signals.injections.inputs,
             present: Vec::new(),
-        }
-    }
-
-    /// Reads, guards and evaluates for an estimate from the samples that are there: nothing stands in for the others.
-    pub(super) fn sample_what_is_there(&mut self) -> Sampled {
-        let window = self.window();
-        self.builder.section("samples: outside its range, infinite or NaN means missing");
-        let before = self.builder.read(self.cells.newest);
-        let before = self.builder.at_most(before, window - 1);
-        let read = (0..self.plant.outputs.len()).map(|o| self.read_output(o)).collect();
-        let mut signals = self.read_signals(before);
-        let read = self.without_inputs(read, &signals.injections.inputs);
-        let newest = self.builder.advance(before, window);
-        let (zero, one) = (self.builder.float(0.0), self.builder.float(1.0));
-        let all_kept = self.cells.outputs.clone();
-        let outputs: Vec<Value> = read
-            .iter()
-            .zip(all_kept)
-            .map(|((value, good), kept)| {
-                let last = kept.read(&mut self.builder, before);
-                self.builder.select(*good, *value, last)
-            })
-            .collect();
-        let present = read.iter().map(|(_, good)| self.builder.select(*good, one, zero)).collect();
-        let count = self.builder.read(self.cells.count);
-        let expected = self.expected(read.iter().map(|(_, good)| *good).collect(), count);
-        self.known_before_the_samples(&mut signals, before);
-        self.known_with_the_samples(&mut signals, before, &outputs);
-        let values = signals.values.into_iter().flatten().collect();
-        let (samples_good, lost) = (self.builder.boolean(true), self.builder.boolean(false));
-        let of_now: Vec<Value> = expected.into_iter().chain(signals.now).collect();
-        let (interval_good, newest_good) = (all(&mut self.builder, &signals.since), all(&mut self.builder, &of_now));
-        let late = Vec::new();
-        Sampled {
-            newest,
-            samples_good,
-            interval_good,
-            newest_good,
-            late,
-            lost,
-            again: None,
-            counts: vec![None; outputs.len()],
-            outputs,
-            signals: values,
-            inputs: signals.injections.inputs,
-            present,
+            slots: Vec::new(),
+            coasted,
         }
     }
 
     /// Whether each sample is good, or missing as measurements at irregular times are.
-    fn expected(&mut self, good: Vec<Value>, count: Value) -> Vec<Value> {
+    pub(super) fn expected(&mut self, good: Vec<Value>, count: Value) -> Vec<Value> {
         let Some(gaps) = self.functional.gaps else { return good };
         // Predictions need a first sample; a solve over what is there does not.
         let started =
@@ -205,19 +162,19 @@ impl<'a> Lowering<'a> {
     }
 
     /// A sample, with its inputs still in it.
-    fn read_output(&mut self, output: usize) -> (Value, Value) {
+    pub(super) fn read_output(&mut self, output: usize) -> (Value, Value) {
         front::read(&mut self.builder, self.plant, output, self.guard.outputs[output])
     }
 
     /// Samples without the inputs that they have in them.
-    fn without_inputs(&mut self, samples: Vec<(Value, Value)>, inputs: &[Value]) -> Vec<(Value, Value)> {
+    pub(super) fn without_inputs(&mut self, samples: Vec<(Value, Value)>, inputs: &[Value]) -> Vec<(Value, Value)> {
         let (b, plant, ranges) = (&mut self.builder, self.plant, &self.guard.outputs);
         let each = samples.into_iter().zip(ranges).enumerate();
         each.map(|(o, (sample, range))| front::without_inputs(b, plant, o, sample, inputs, *range)).collect()
     }
 
     /// The inputs, with the last good value in place of a bad one.
-    fn read_signals(&mut self, before: Value) -> Signals<'a> {
+    pub(super) fn read_signals(&mut self, before: Value) -> Signals<'a> {
         let mut signals = Signals {
             injections: Injections::new(self.plant, self.cells.calls, Vec::new()),
             values: vec![None; self.functional.signals.len()],
@@ -247,7 +204,7 @@ impl<'a> Lowering<'a> {
 
     /// Signals that need no sample of this call: inputs, what is constant since the last call, and
     /// the starts of intervals.
-    fn known_before_the_samples(&mut self, signals: &mut Signals, before: Value) {
+    pub(super) fn known_before_the_samples(&mut self, signals: &mut Signals, before: Value) {
         for (s, signal) in self.functional.signals.iter().enumerate() {
             let moment = match (signal.part, signal.source) {
                 (Part::Start, _) => Moment::Before(before),
@@ -261,7 +218,7 @@ impl<'a> Lowering<'a> {
     }
 
     /// Signals that depend on the samples of this call.
-    fn known_with_the_samples(&mut self, signals: &mut Signals, before: Value, samples: &[Value]) {
+    pub(super) fn known_with_the_samples(&mut self, signals: &mut Signals, before: Value, samples: &[Value]) {
         for (s, signal) in self.functional.signals.iter().enumerate() {
             if signals.values[s].is_some() {
                 continue;
@@ -306,6 +263,17 @@ impl<'a> Lowering<'a> {
 /// Its predictions would then feed on themselves, corrected by what the others see of it; nothing makes
 /// that recursion stable. With every output missing it is the plant's own model, which may go on.
 pub(crate) fn abandoned(b: &mut Builder, missed: &[(CellId, u32)], good: &[Value]) -> Option<Value> {
+    let gone = gone(b, missed, good);
+    if gone.is_empty() {
+        return None;
+    }
+    let (any, all) = (any(b, &gone), all(b, &gone));
+    let some_left = b.not(all);
+    Some(b.and(any, some_left))
+}
+
+/// Whether each output has been missing for a whole window; counts on.
+pub(super) fn gone(b: &mut Builder, missed: &[(CellId, u32)], good: &[Value]) -> Vec<Value> {
     let mut gone = Vec::new();
     for ((cell, samples), good) in missed.iter().zip(good) {
         let before = b.read(*cell);
@@ -318,12 +286,7 @@ pub(crate) fn abandoned(b: &mut Builder, missed: &[(CellId, u32)], good: &[Value
         let count = b.select(*good, none, more);
         b.set(*cell, count);
     }
-    if gone.is_empty() {
-        return None;
-    }
-    let (any, all) = (any(b, &gone), all(b, &gone));
-    let some_left = b.not(all);
-    Some(b.and(any, some_left))
+    gone
 }
 
 /// Whether all of some truths hold.

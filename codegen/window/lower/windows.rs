@@ -36,6 +36,7 @@ impl Lowering<'_> {
         let (name, doc) = ("windows", "how many windows have converged without a replaced sample, shortest first");
         let field = Field { name: name.into(), unit: String::new(), doc: doc.into(), kind: Kind::Index };
         self.builder.estimate(field, converged);
+        self.show_coasted(sampled);
         let determined = self.counted(count, settled(functional));
         self.stand(&Standing { known, determined, renewed: None });
     }
