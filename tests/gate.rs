@@ -48,8 +48,12 @@ fn fed(generated: &Generated, samples: impl Iterator<Item = f64>) -> Vec<Answer>
 const STEPS: usize = 131;
 
 fn rms(answers: &[Answer], rows: &[(f64, f64)]) -> f64 {
-    let squares: Vec<f64> =
-        answers.iter().zip(rows).skip(STEPS).map(|(answer, (_, reference))| (answer.x[1] - reference).powi(2)).collect();
+    let squares: Vec<f64> = answers
+        .iter()
+        .zip(rows)
+        .skip(STEPS)
+        .map(|(answer, (_, reference))| (answer.x[1] - reference).powi(2))
+        .collect();
     #[expect(clippy::cast_precision_loss, reason = "30,000 rows")]
     let mean = squares.iter().sum::<f64>() / squares.len() as f64;
     mean.sqrt()
@@ -76,7 +80,13 @@ fn outliers_are_kept_out() {
         let mut up = false;
         let moved = |(k, (q, _)): (usize, &(f64, f64))| {
             up ^= outlier(k);
-            if !outlier(k) { *q } else if up { q + 0.5 } else { q - 0.5 }
+            if !outlier(k) {
+                *q
+            } else if up {
+                q + 0.5
+            } else {
+                q - 0.5
+            }
         };
         let moved: Vec<f64> = rows.iter().enumerate().map(moved).collect();
         let answers = fed(&gated, moved.iter().copied());

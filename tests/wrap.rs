@@ -79,9 +79,8 @@ fn a_folded_recording_is_the_recording() {
                 fed(generated, rows.map(|(k, (q, _))| sample(k, if folds { folded(*q) } else { *q })))
             };
             let reference = with(&plain, false);
-            let scale: Vec<f64> = (0..n)
-                .map(|i| reference.iter().map(|(x, _)| x[i].abs()).fold(0.0, f64::max))
-                .collect();
+            let scale: Vec<f64> =
+                (0..n).map(|i| reference.iter().map(|(x, _)| x[i].abs()).fold(0.0, f64::max)).collect();
             for (which, answers) in [("folded", with(&wrapping, true)), ("unfolded", with(&wrapping, false))] {
                 for (k, ((x, status), (expected, as_expected))) in answers.iter().zip(&reference).enumerate() {
                     assert_eq!(status, as_expected, "{which}, call {k}");
@@ -119,8 +118,8 @@ fn after_thousands_of_turns() {
     let rows = swing();
     for (text, _, n) in specifications() {
         let far = |k: usize| f64::from((rows[k].0 + 30_000.0) as f32);
-        let [single, double] = [Scalar::F32, Scalar::F64]
-            .map(|scalar| fed(&designed_in(&text, scalar), (0..rows.len()).map(far)));
+        let [single, double] =
+            [Scalar::F32, Scalar::F64].map(|scalar| fed(&designed_in(&text, scalar), (0..rows.len()).map(far)));
         for i in 0..n {
             let scale = double.iter().map(|(x, _)| x[i].abs()).fold(0.0, f64::max);
             let off = |((a, _), (b, _)): (&(Vec<f64>, Status), &(Vec<f64>, Status))| {
@@ -157,9 +156,7 @@ fn pendulum() -> Truth {
     let (m, l, b, g): (f64, f64, f64, f64) = (0.6, 0.45, 0.15, 9.81);
     Truth {
         discrete: false,
-        change: Box::new(move |_, x, u| {
-            vec![x[1], (u[0] + x[2] - b * x[1]) / (m * l * l) - g / l * x[0].sin(), 0.0]
-        }),
+        change: Box::new(move |_, x, u| vec![x[1], (u[0] + x[2] - b * x[1]) / (m * l * l) - g / l * x[0].sin(), 0.0]),
         outputs: Box::new(|x, _| vec![x[0]]),
         delays: vec![0.0],
         holds: vec![Hold::Zero],

@@ -140,6 +140,10 @@ impl Keys {
             let message = "samples that are left out can be computed in one way only";
             refuse(&self.wanted_span, message, "leave out `realization`, or write `missing = \"predicted\"`");
         }
+        if let Some(second) = self.windows.get(1) {
+            let message = "samples that are left out have one window";
+            refuse(&second.span(), message, "write one length, or `missing = \"predicted\"`");
+        }
         if self.hold.0 == Between::Cubics {
             let message = "no cubic runs through samples that are left out";
             refuse(&self.hold.1, message, "leave out `hold`, or write `missing = \"predicted\"`");

@@ -209,14 +209,8 @@ fn memory(builder: &mut Builder, plant: &Plant, functional: &Functional) -> Memo
         (delay > 0).then(|| builder.index_cell(&name, doc, window - 1 - delay))
     });
     let late = late.collect();
-    let rejected = plant.outputs.iter().map(|output| {
-        let name = &output.label.name;
-        let cell = (format!("rejected_{name}"), format!("samples of {name} beyond the gate in a row"));
-        output.gate.as_ref().map(|_| builder.index_cell(&cell.0, &cell.1, 0))
-    });
-    let rejected = rejected.collect();
     let coasted = builder.index_cell("since", "calls since a sample was accepted", 0);
-    Memory { present, next, known, late, rejected, coasted }
+    Memory { present, next, known, late, coasted }
 }
 
 pub(crate) fn bracketed(unit: &str) -> String {

@@ -32,7 +32,7 @@ impl Lowering<'_> {
             self.foresee(&signals.values, before)
         });
         let (good, mut lost) = match &foreseen {
-            Some(state) if gated => self.gate((&measured, &good), state),
+            Some(state) if gated => self.accepted((&measured, &good), state),
             _ => (good, Vec::new()),
         };
         let (zero, one) = (self.builder.float(0.0), self.builder.float(1.0));
@@ -90,13 +90,13 @@ impl Lowering<'_> {
 
     /// Samples that are near what the model predicts, where there is an estimate; and whether to start again, after
     /// too many in a row that were not.
-    fn gate(&mut self, (measured, good): (&[Value], &[Value]), state: &[Value]) -> (Vec<Value>, Vec<Value>) {
+    fn accepted(&mut self, (measured, good): (&[Value], &[Value]), state: &[Value]) -> (Vec<Value>, Vec<Value>) {
         let plant = self.plant;
         let known = self.known();
         let unknown = self.builder.not(known);
         let (mut accepted, mut lost) = (good.to_vec(), Vec::new());
         for (o, output) in plant.outputs.iter().enumerate() {
-            let (Some(gate), Some(cell)) = (&output.gate, self.memory().rejected[o]) else { continue };
+            let (Some(gate), Some(cell)) = (&output.gate, self.cells.rejected[o]) else { continue };
             let size = round(&gate.size, plant.scalar);
             let limit = gate.limit.unwrap_or(self.window() - 1).max(1);
             let predicted = self.shown(o, state);
