@@ -191,10 +191,13 @@ fn converged(generated: &Generated) -> String {
 
 /// How long a missing sample tells, where that is no window's length.
 fn coasting(generated: &Generated) -> Option<String> {
-    let Shape::Corrector(corrector) = &generated.design.shape else { return None };
-    let calls = corrector.recovery;
-    let calls = if calls == 1 { "1 good call".into() } else { format!("{calls} good calls in a row") };
-    Some(format!("Coasting   from a missing sample on, until {calls} have followed"))
+    let calls = match &generated.design.shape {
+        Shape::Corrector(corrector) => corrector.recovery,
+        Shape::Baseline(baseline) => baseline.recovery,
+        _ => return None,
+    };
+    let calls = if calls == 1 { "1 good call has".into() } else { format!("{calls} good calls in a row have") };
+    Some(format!("Coasting   from a missing sample on, until {calls} followed"))
 }
 
 /// A share of an error; below the digits that it was computed with, that.
@@ -220,6 +223,9 @@ fn costs(generated: &Generated) -> Vec<String> {
 /// Gains and bounds as a table: a column per state.
 fn certificate(generated: &Generated) -> Vec<String> {
     let (plant, certificate) = (&generated.plant, &generated.design.certificate);
+    if let Shape::Baseline(baseline) = &generated.design.shape {
+        return vec![format!("  {}", baseline.no_gains())];
+    }
     if certificate.noise_gain_l1.is_empty() && certificate.error_bound.is_empty() {
         return vec!["  no gains from noise: they depend on how far the signals excite the unknowns".into()];
     }

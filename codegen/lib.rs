@@ -8,6 +8,7 @@
 //! the command line touch the disk. Start at [`Generator`].
 
 pub mod ahead;
+pub mod baseline;
 pub mod corrector;
 pub mod decimal;
 mod dense;

@@ -3,6 +3,9 @@
 //! A method is one file: what it is, its keys, its design. It reads its own table of the
 //! specification ([`Method::read`]) and gives something that designs ([`Keyed`]).
 
+pub mod adaptive_window;
+pub mod alpha_beta;
+mod baseline;
 mod constant;
 pub mod countdown;
 pub mod differentiator;
@@ -11,10 +14,12 @@ pub mod fixed_time_linear;
 pub mod high_gain;
 pub mod impulsive;
 pub mod kalman;
+pub mod low_pass;
 pub mod luenberger;
 mod noise;
 pub mod order;
 pub mod parameters;
+pub mod pll;
 mod poles;
 pub mod prescribed_time;
 pub mod robust_exact;
@@ -43,6 +48,10 @@ pub const METHODS: &[Method] = &[
     high_gain::METHOD,
     fixed_time_linear::METHOD,
     robust_exact::METHOD,
+    pll::METHOD,
+    alpha_beta::METHOD,
+    low_pass::METHOD,
+    adaptive_window::METHOD,
 ];
 
 /// What a user can name in `[observer.<name>]`.

@@ -57,7 +57,11 @@ fn a_missing_sample_starts_the_window_again() {
         let generated = designed(&corpus(&name));
         // Where not every call is measured, a sample between measurements is not missed. Correctors have no window:
         // `tests/corrector_missing.rs`.
-        if generated.design.convergence != Convergence::Finite || takes_gaps(&generated) || corrects(&name) {
+        if generated.design.convergence != Convergence::Finite
+            || takes_gaps(&generated)
+            || corrects(&name)
+            || is_baseline(&name)
+        {
             continue;
         }
         let steps = generated.design.valid_from_step;
