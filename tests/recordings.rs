@@ -99,3 +99,98 @@ fn report() -> &'static Value {
     static REPORT: OnceLock<Value> = OnceLock::new();
     REPORT.get_or_init(|| serde_json::from_str(&table("json")).expect("JSON"))
 }
+
+/// The row of a specification in one of the table's groups.
+fn row(group: usize, specification: &str) -> &'static Value {
+    let rows = report()["recordings"][group]["states"][0]["specifications"].as_array().expect("rows");
+    rows.iter().find(|row| row["specification"] == specification).expect(specification)
+}
+
+fn number(row: &Value, key: &str) -> f64 {
+    row[key].as_f64().unwrap_or_else(|| panic!("{key}: {row}"))
+}
+
+/// Claim: the README's tables are what its command prints.
+#[test]
+fn the_readme_has_the_table() {
+    let (readme, page) = (read("README.md"), table("markdown"));
+    let quoted: Vec<&str> = page.lines().filter(|line| line.starts_with('|') || line.starts_with("**")).collect();
+    let missing: Vec<&str> = quoted.iter().copied().filter(|line| !readme.contains(line)).collect();
+    assert!(missing.is_empty(), "not in the README:\n{}", missing.join("\n"));
+    // Nor has it rows of another version.
+    let begin = readme.find(quoted[0]).expect("the first title");
+    let end = begin + readme[begin..].find("\n### ").unwrap_or(readme.len() - begin);
+    let rows = readme[begin..end].lines().filter(|line| line.starts_with('|'));
+    assert_eq!(rows.count(), page.lines().filter(|line| line.starts_with('|')).count());
+}
+
+/// Claim: every specification of the table is accepted and takes part.
+#[test]
+fn every_specification_of_the_table_is_used() {
+    let table = read("specs/compare/table.toml");
+    let mut count = 0;
+    for folder in ["hand", "swing", "gnss"] {
+        for entry in fs::read_dir(root().join("specs/compare").join(folder)).expect("a folder") {
+            let path = entry.expect("an entry").path();
+            let name = path.file_name().expect("a name").to_string_lossy().into_owned();
+            let text = fs::read_to_string(&path).expect("a specification");
+            let report = deadbeat_codegen::Generator::new(&text, &name).check();
+            assert!(!report.has_errors(), "{}", report.render(false));
+            assert!(text.contains(&format!("name = \"{}\"", name.trim_end_matches(".toml"))), "{name}");
+            assert!(table.contains(&format!("\"{folder}/{name}\"")), "{folder}/{name} is in no group");
+            count += 1;
+        }
+    }
+    assert!(count > 20);
+}
+
+/// Claim: on noise, what is tuned ties: window, Kalman filter and differentiator are within a tenth of each other on
+/// every recording, and all but the window of one step beat backward differences where there is noise to be averaged.
+#[test]
+fn tuned_estimators_tie() {
+    for (group, names) in [
+        (0, ["window_131_steps", "kalman_tuned", "differentiator_50_ms"]),
+        (1, ["window_1_step", "kalman_tuned", "differentiator_20_ms"]),
+        (2, ["window_9_steps", "kalman_tuned", "differentiator_4_s"]),
+    ] {
+        let errors = names.map(|name| number(row(group, name), "rms"));
+        let (least, most) = errors.iter().fold((f64::INFINITY, 0.0_f64), |(a, b), x| (a.min(*x), b.max(*x)));
+        assert!(most <= 1.1 * least, "{group}: {errors:?}");
+        let factor = if group == 1 { 1.03 } else { 0.7 };
+        assert!(most < factor * number(row(group, "difference"), "rms"), "{group}: {errors:?}");
+    }
+}
+
+/// Claim: the receiver's own stamps and those of reception tell the same 19 missing epochs and give the same speed to a
+/// few percent; with no stamps the gaps go unseen, and the speed is wrong by a metre a second.
+#[test]
+fn stamps_tell_which_samples_are_missing() {
+    for name in ["window_9_steps", "kalman_tuned"] {
+        let (sensor, received) = (number(row(2, name), "rms"), number(row(3, name), "rms"));
+        assert!((received / sensor - 1.0).abs() < 0.05, "{name}: {sensor} {received}");
+    }
+    for group in [2, 3] {
+        let remarks = report()["recordings"][group]["remarks"].to_string();
+        assert!(remarks.contains("19 samples that the recording's time leaves out"), "{remarks}");
+    }
+    // The recording without its times; each row's reference at the sensor's time.
+    let reference = (column("rav4_pose_reference", "t"), column("rav4_pose_reference", "v_north_ref"));
+    let at = |time: f64| {
+        let next = reference.0.partition_point(|t| *t <= time);
+        let share = (time - reference.0[next - 1]) / (reference.0[next] - reference.0[next - 1]);
+        reference.1[next - 1] + share * (reference.1[next] - reference.1[next - 1])
+    };
+    let generated = designed_in(&read("specs/compare/gnss/window_9_steps.toml"), Scalar::F32);
+    let mut interpreter = Interpreter::new(&generated.program);
+    let mut estimate = vec![0.0; 3];
+    let (mut squares, mut rows) = (0.0, 0_u32);
+    for (north, time) in column("rav4_gnss", "north").into_iter().zip(column("rav4_gnss", "t_sensor")) {
+        if interpreter.step(&[north], &[], &mut estimate) == Status::Converged {
+            squares += (estimate[1] - at(time)) * (estimate[1] - at(time));
+            rows += 1;
+        }
+    }
+    let error = f64::sqrt(squares / f64::from(rows));
+    println!("no stamps: {error} m/s");
+    assert!((0.5..2.0).contains(&error), "{error}");
+}
