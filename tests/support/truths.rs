@@ -14,7 +14,7 @@ pub fn truth(name: &str) -> Option<Truth> {
         "dc_motor" | "motor_single_delay" | "motor_intermittent" | "motor_recursive" | "luenberger" => dc_motor(),
         "motor_continuous" => smooth_motor(),
         "differentiator" => integrators(&[2.0, 3.0, 5.0, 5.0]),
-        "differentiator_encoder" => integrators(&[0.5, 2.0, 5.0]),
+        "differentiator_encoder" | "three_windows" | "lossy_encoder" => integrators(&[0.5, 2.0, 5.0]),
         // A ramp, whose backward differences are its derivatives.
         "differentiator_euler" => {
             Truth { start: vec![(290.0, 310.0), (-0.05, 0.05), (0.0, 0.0)], ..integrators(&[0.0; 3]) }
@@ -26,7 +26,9 @@ pub fn truth(name: &str) -> Option<Truth> {
         "drive_prescribed" => drive_prescribed(),
         "fixed_time_linear" => shaker(),
         "inverted_cart" => inverted_cart(0.3),
-        "late_position" => late_position(0.4),
+        "late_position" | "lossy_position" => late_position(0.4),
+        "lossy_arm" => lossy_arm(),
+        "two_rates" => two_rates(),
         "long_window" | "high_gain" => long_window(),
         "magnetic_levitation" => magnetic_levitation(),
         "mass_chain" => mass_chain(),
@@ -228,6 +230,33 @@ pub fn inverted_cart(ground: f64) -> Truth {
         start: vec![(-0.1, 0.1), (-0.05, 0.05), (-0.2, 0.2), (-0.1, 0.1)],
         input: vec![(-1.0, 1.0)],
         exact: ground == 0.0,
+    }
+}
+
+/// Swings that stay within a turn, so that the estimate of a wrapped angle is the angle.
+fn lossy_arm() -> Truth {
+    Truth {
+        discrete: false,
+        change: Box::new(|_, x, u| vec![x[1], 8.0 * u[0] - 35.0 * x[0].sin() - x[1]]),
+        outputs: Box::new(|x, _| vec![x[0]]),
+        delays: vec![0.0],
+        holds: vec![Hold::Zero],
+        start: vec![(-0.5, 0.5), (-2.0, 2.0)],
+        input: vec![(-1.0, 1.0)],
+        exact: false,
+    }
+}
+
+fn two_rates() -> Truth {
+    Truth {
+        discrete: false,
+        change: Box::new(|_, x, u| vec![x[1], u[0] / 2.5 - 0.8 * x[1] + x[2], 0.0]),
+        outputs: Box::new(|x, _| vec![x[0], x[1]]),
+        delays: vec![0.02, 0.0],
+        holds: vec![Hold::Zero],
+        start: vec![(-1.0, 1.0), (-1.0, 1.0), (-0.5, 0.5)],
+        input: vec![(-2.0, 2.0)],
+        exact: true,
     }
 }
 
