@@ -254,8 +254,9 @@ impl Run {
         let mut interpreter = Interpreter::new(&generated.program);
         let mut answers = Answers { estimates: Vec::new(), statuses: Vec::new() };
         for (measurements, inputs) in self.measurements.iter().zip(&self.inputs) {
-            let mut estimate = vec![0.0; generated.plant.states.len()];
+            let mut estimate = vec![0.0; generated.program.estimates.len()];
             answers.statuses.push(interpreter.step(measurements, inputs, &mut estimate));
+            estimate.truncate(generated.plant.states.len());
             answers.estimates.push(estimate);
         }
         answers
