@@ -219,7 +219,7 @@ impl Design {
     /// Why there is no error bound although the noise is declared; for the certificate.
     pub fn unbounded(&self) -> &'static str {
         match &self.shape {
-            Shape::Window(functional) if functional.irregular.is_some() => {
+            Shape::Window(functional) if functional.irregular.is_some() && functional.gaps.is_some() => {
                 "no error bound: it depends on when samples come; the gains are of regular gaps"
             }
             Shape::Window(functional) if functional.gaps.is_some() => {
@@ -233,6 +233,15 @@ impl Design {
             }
             _ => "no error bound: the slope of a nonlinear term is not bounded over the declared ranges",
         }
+    }
+
+    /// What is promised, of every window where there are several.
+    pub fn certificates(&mut self) -> impl Iterator<Item = &mut Certificate> {
+        let longer = match &mut self.shape {
+            Shape::Window(functional) => functional.longer.as_mut_slice(),
+            _ => &mut [],
+        };
+        std::iter::once(&mut self.certificate).chain(longer.iter_mut().map(|longer| &mut longer.certificate))
     }
 
     /// The step as a Program.

@@ -5,7 +5,8 @@
 //! still: for a difference of two samples, one count over the sample time.
 
 use crate::describe::short;
-use crate::plant::Plant;
+use crate::expr::Constant;
+use crate::plant::{Output, Plant};
 use crate::program::Program;
 use crate::program::interp::Interpreter;
 
@@ -32,7 +33,7 @@ impl OneCount {
 
     /// A line per quantised output.
     pub fn notes(&self, plant: &Plant) -> Vec<String> {
-        let line = |(output, moved): (&crate::plant::Output, &Option<Vec<f64>>)| {
+        let line = |(output, moved): (&Output, &Option<Vec<f64>>)| {
             let moved = moved.as_ref()?;
             let shares = plant.states.iter().zip(moved).map(|(state, moved)| {
                 let unit = if state.label.unit.is_empty() { String::new() } else { format!(" {}", state.label.unit) };
@@ -49,18 +50,33 @@ impl OneCount {
     }
 }
 
+/// A sample that is good: the middle of the range, as whole counts where it counts.
+fn middle(output: &Output) -> f64 {
+    let number = |constant: &Constant| constant.to_f64().unwrap_or(0.0);
+    let Some((low, high)) = output.raw_range.as_ref().or(output.range.as_ref()) else { return 0.0 };
+    let middle = f64::midpoint(number(low), number(high))
+        + if output.raw_range.is_none() { number(&output.offset) } else { 0.0 };
+    match (&output.counter, &output.quantum) {
+        (Some(_), Some(quantum)) => (middle / number(quantum)).round(),
+        (Some(_), None) => middle.round(),
+        _ => middle,
+    }
+}
+
 /// The largest difference per state after an edge of an output.
 fn edge(plant: &Plant, program: &Program, output: usize, height: f64, calls: usize) -> Vec<f64> {
-    let (n, measured) = (plant.states.len(), program.measurements.len());
+    let n = plant.states.len();
     let inputs = vec![0.0; program.inputs.len()];
     let [mut rest, mut moved] = [(); 2].map(|()| Interpreter::new(program));
-    let mut samples = vec![0.0; measured];
+    let mut samples: Vec<f64> = plant.outputs.iter().map(middle).collect();
+    let base = samples[output];
+    samples.resize(program.measurements.len(), 0.0);
     let [mut still, mut after] = [(); 2].map(|()| vec![0.0; program.estimates.len()]);
     let mut largest = vec![0.0_f64; n];
     for call in 0..2 * calls {
-        samples[output] = 0.0;
+        samples[output] = base;
         rest.step(&samples, &inputs, &mut still);
-        samples[output] = if call < calls { 0.0 } else { height };
+        samples[output] = if call < calls { base } else { base + height };
         moved.step(&samples, &inputs, &mut after);
         for (largest, (a, b)) in largest.iter_mut().zip(after.iter().zip(&still)) {
             *largest = largest.max((a - b).abs());

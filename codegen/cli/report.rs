@@ -3,10 +3,11 @@
 use std::fmt::Write as _;
 
 use deadbeat_codegen::describe::{self, short};
-use deadbeat_codegen::design::{Convergence, Design, NamedMatrix, Realization};
+use deadbeat_codegen::design::{Certificate, Convergence, Design, NamedMatrix, Realization, Shape};
 use deadbeat_codegen::method::Moment;
 use deadbeat_codegen::plant::modes::modes;
 use deadbeat_codegen::program::cost::{Cost, cost};
+use deadbeat_codegen::window::irregular::Phase;
 use deadbeat_codegen::{Generated, Language, Source, VERSION};
 use serde_json::{Map, Value, json};
 
@@ -24,7 +25,6 @@ pub fn json(generated: &Generated) -> Value {
         design.constants.iter().map(|matrix| (matrix.letter.to_owned(), json!(matrix.rows))).collect();
     let fir = design.fir.as_ref().map(|fir| json!({ "known": fir.known, "K": fir.k, "M": fir.m, "c": fir.c }));
     let cost = counted(generated);
-    let certificate = &design.certificate;
     let warnings: Vec<Value> =
         generated.report.diagnostics.iter().map(|d| json!({ "code": d.code, "message": d.message })).collect();
     let convergence = match design.convergence {
@@ -34,7 +34,7 @@ pub fn json(generated: &Generated) -> Value {
         Convergence::Prescribed { left } => json!({ "initial_error_left": left }),
     };
     let realizations: Vec<Value> = design.realizations.iter().map(realization).collect();
-    json!({
+    let mut all = json!({
         "deadbeat": VERSION,
         "name": plant.name,
         "method": design.method,
@@ -53,14 +53,8 @@ pub fn json(generated: &Generated) -> Value {
         "modes": modes(plant),
         "constants": constants,
         "fir": fir,
-        "certificate": {
-            "noise_gain_l1": certificate.noise_gain_l1,
-            "noise_gain_l2": certificate.noise_gain_l2,
-            "disturbance_gain_l1": certificate.disturbance_gain_l1,
-            "error_bound": certificate.error_bound,
-            "initial_gain": certificate.initial_gain,
-            "one_count": generated.one_count.0,
-        },
+        "certificate": promised(&design.certificate),
+        "one_count": generated.one_count.0,
         "cost": {
             "ram_bytes": cost.ram_bytes,
             "flash_bytes": cost.flash_bytes,
@@ -75,7 +69,65 @@ pub fn json(generated: &Generated) -> Value {
             "unbiasedness": design.numerics.unbiasedness,
         },
         "warnings": warnings,
+    });
+    if let Shape::Window(functional) = &design.shape
+        && !functional.longer.is_empty()
+    {
+        let longer = functional.longer.iter().map(|longer| (longer.functional.steps, &longer.certificate));
+        let windows = std::iter::once((design.window_steps, &design.certificate)).chain(longer);
+        all["windows"] = windows
+            .map(|(steps, certificate)| json!({ "window_steps": steps, "certificate": promised(certificate) }))
+            .collect();
+    }
+    let phases = phases(design);
+    if !phases.is_empty() {
+        let phase = |it: &Phase| json!({ "noise_gain_l1": it.noise_gain_l1, "noise_gain_l2": it.noise_gain_l2 });
+        all["phases"] = phases.iter().map(phase).collect();
+    }
+    all
+}
+
+fn promised(certificate: &Certificate) -> Value {
+    json!({
+        "noise_gain_l1": certificate.noise_gain_l1,
+        "noise_gain_l2": certificate.noise_gain_l2,
+        "disturbance_gain_l1": certificate.disturbance_gain_l1,
+        "error_bound": certificate.error_bound,
+        "initial_gain": certificate.initial_gain,
     })
+}
+
+/// Gains by phase, where outputs are measured at rates of their own.
+fn phases(design: &Design) -> &[Phase] {
+    match &design.shape {
+        Shape::Window(functional) => functional.irregular.as_ref().map_or(&[], |irregular| &irregular.phases),
+        _ => &[],
+    }
+}
+
+/// Phases that are printed for people.
+const MOST_PHASES: usize = 20;
+
+/// The worst-case noise gains of each phase: a line for each output.
+fn by_phase(generated: &Generated) -> String {
+    let (plant, phases) = (&generated.plant, phases(&generated.design));
+    let mut text = String::new();
+    if phases.is_empty() {
+        return text;
+    }
+    let names: Vec<&str> = plant.states.iter().map(|state| state.label.name.as_str()).collect();
+    let _ =
+        writeln!(text, "\nNoise gains by phase, worst case: calls k, k + {}, …; {}", phases.len(), names.join(", "));
+    for (place, phase) in phases.iter().enumerate().take(MOST_PHASES) {
+        for (o, output) in plant.outputs.iter().enumerate() {
+            let gains: Vec<String> = phase.noise_gain_l1.iter().map(|gains| short(gains[o])).collect();
+            let _ = writeln!(text, "  k = {place}, from {}: {}", output.label.name, gains.join(", "));
+        }
+    }
+    if phases.len() > MOST_PHASES {
+        let _ = writeln!(text, "  …; `--format json` has them all");
+    }
+    text
 }
 
 fn realization(realization: &Realization) -> Value {
@@ -142,6 +194,7 @@ pub fn text(generated: &Generated) -> String {
         let list: Vec<String> = modes.iter().map(mode).collect();
         let _ = writeln!(text, "Modes        {}", list.join(", "));
     }
+    text.push_str(&by_phase(generated));
     matrices(&mut text, &design.constants);
     if let Some(fir) = &design.fir {
         let _ =

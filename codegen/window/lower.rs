@@ -10,6 +10,7 @@
 pub(crate) mod cells;
 mod copies;
 mod count;
+mod gate;
 pub(crate) mod guard;
 pub(crate) mod injections;
 mod irregular;
@@ -20,7 +21,9 @@ mod recursive;
 pub(crate) mod report;
 pub(crate) mod sample;
 mod sums;
+mod there;
 mod two_level;
+mod windows;
 
 use crate::ahead::Ahead;
 use crate::design::Settled;
@@ -35,6 +38,7 @@ use count::settled;
 use guard::{Growth, Guard};
 use predict::Unknowns;
 pub(crate) use report::Standing;
+use sums::Anchor;
 
 /// Lowers a functional for its plant; constants that the target's floats cannot hold are reported.
 pub fn lower(plant: &Plant, functional: &Functional, ahead: Option<&Ahead>) -> Result<Program, Vec<Diagnostic>> {
@@ -60,6 +64,8 @@ pub(crate) struct Sampled {
     late: Vec<(usize, Value)>,
     /// Whether a missing sample had no prediction.
     lost: Value,
+    /// Whether so many samples were not believed that the window starts again with those of now; where that can be.
+    again: Option<Value>,
     /// Per output: what enters the window.
     outputs: Vec<Value>,
     /// Per signal: what enters the window.
@@ -68,6 +74,10 @@ pub(crate) struct Sampled {
     inputs: Vec<Value>,
     /// Per output, where the estimate is of the samples that are there: 1 for a sample, 0 for none.
     present: Vec<Value>,
+    /// Likewise: the slot of the time that a sample shows.
+    slots: Vec<Value>,
+    /// Calls since a sample was accepted, where that is asked for.
+    coasted: Option<Value>,
 }
 
 /// A step being written.
@@ -115,11 +125,20 @@ impl<'a> Lowering<'a> {
             self.builder.section("the estimate; until there is one, the start");
             let (known, renewed) = (answer.usable, Some(answer.enough));
             self.report(&answer.estimate, &sampled, &Standing { known, determined: known, renewed });
+            if let Some(coasted) = sampled.coasted {
+                self.builder.estimate(field("coasted", "", "calls since the newest accepted sample"), coasted);
+            }
             return;
         }
+        // Of outputs that wrap, less their newest sample.
         let estimate = self.estimate(&sampled, before, count);
+        if !self.functional.longer.is_empty() {
+            self.windows(&estimate, &sampled, count);
+            return;
+        }
         self.look_ahead(&estimate, &sampled);
         self.builder.section("the estimate; until the window is full, the start");
+        let estimate = self.at_the_newest(&estimate, &sampled);
         let known = self.counted(count, self.window());
         let determined = self.counted(count, settled(self.functional));
         self.report(&estimate, &sampled, &Standing { known, determined, renewed: None });
@@ -129,13 +148,39 @@ impl<'a> Lowering<'a> {
     fn estimate(&mut self, sampled: &Sampled, before: Value, count: Value) -> Vec<Value> {
         match &self.functional.way {
             Way::Fir => {
-                let kept = (self.cells.outputs.as_slice(), self.cells.signals.as_slice());
-                sums::estimate(&mut self.builder, self.plant, self.functional, kept, sampled.newest)
+                self.builder.section("the sums over the window, newest sample first");
+                self.summed(self.functional, sampled)
             }
             Way::TwoLevel(two) => self.two_level(two, sampled),
             Way::PingPong(pair) => self.ping_pong(pair, sampled, count),
             Way::Recursive(recursive) => self.recursive(recursive, sampled, before, count),
         }
+    }
+
+    /// The estimate of each state by one sum over a window.
+    fn summed(&mut self, functional: &Functional, sampled: &Sampled) -> Vec<Value> {
+        let kept = (self.cells.outputs.as_slice(), self.cells.signals.as_slice());
+        let anchors: Vec<Option<Anchor>> = (self.plant.outputs.iter().zip(&sampled.outputs))
+            .map(|(output, newest)| {
+                let turn = injections::round(&output.wrap.as_ref()?.turn, self.plant.scalar);
+                Some(Anchor { newest: *newest, turn })
+            })
+            .collect();
+        let place = (sampled.newest, kept_len(self.functional));
+        sums::estimate(&mut self.builder, self.plant, functional, kept, &anchors, place)
+    }
+
+    /// The estimate from its sums: with the newest samples of outputs that wrap, each in the direction of its turn.
+    fn at_the_newest(&mut self, estimate: &[Value], sampled: &Sampled) -> Vec<Value> {
+        let mut moved = estimate.to_vec();
+        for (output, newest) in self.plant.outputs.iter().zip(&sampled.outputs) {
+            let Some(wrap) = &output.wrap else { continue };
+            for (value, direction) in moved.iter_mut().zip(&wrap.direction).filter(|(_, s)| !s.is_zero()) {
+                let direction = self.builder.float(injections::round(direction, self.plant.scalar));
+                *value = self.add_product(*value, direction, *newest);
+            }
+        }
+        moved
     }
 
     /// Whether this call's samples are the first of a window.
@@ -144,9 +189,14 @@ impl<'a> Lowering<'a> {
         self.builder.index_less(count, two)
     }
 
-    /// N+1.
+    /// N+1, of the shortest window.
     pub(crate) fn window(&self) -> u32 {
         window_len(self.functional)
+    }
+
+    /// Samples that the rings hold.
+    fn kept(&self) -> u32 {
+        kept_len(self.functional)
     }
 
     fn add_product(&mut self, sum: Value, weight: Value, value: Value) -> Value {
@@ -158,12 +208,22 @@ impl<'a> Lowering<'a> {
     pub(crate) fn store(&mut self, sampled: &Sampled) {
         self.builder.section("into the window");
         self.builder.set(self.cells.newest, sampled.newest);
-        for (kept, value) in self.cells.outputs.iter().zip(&sampled.outputs) {
-            kept.write(&mut self.builder, sampled.newest, *value);
+        for (o, (kept, value)) in self.cells.outputs.iter().zip(&sampled.outputs).enumerate() {
+            let slot = sampled.slots.get(o).copied().unwrap_or(sampled.newest);
+            kept.write(&mut self.builder, slot, *value);
+            if slot != sampled.newest && self.plant.outputs[o].wrap.is_some() {
+                // Until the sample of now comes, nothing has moved.
+                kept.write(&mut self.builder, sampled.newest, *value);
+            }
         }
         let present = self.cells.memory.as_ref().map(|memory| memory.present.as_slice()).unwrap_or_default();
-        for (ring, value) in present.iter().zip(&sampled.present) {
-            self.builder.set_ring(*ring, sampled.newest, *value);
+        for ((ring, value), slot) in present.iter().zip(&sampled.present).zip(&sampled.slots) {
+            if *slot != sampled.newest {
+                // The sample of now comes later.
+                let none = self.builder.float(0.0);
+                self.builder.set_ring(*ring, sampled.newest, none);
+            }
+            self.builder.set_ring(*ring, *slot, *value);
         }
         for (kept, value) in self.cells.signals.iter().zip(&sampled.signals) {
             kept.write(&mut self.builder, sampled.newest, *value);
@@ -177,6 +237,11 @@ impl<'a> Lowering<'a> {
 /// N+1.
 pub(crate) fn window_len(functional: &Functional) -> u32 {
     u32::try_from(functional.steps + 1).unwrap_or_else(|_| unreachable!("the window's length is bounded"))
+}
+
+/// Samples that the rings hold: N+1 of the longest window.
+pub(crate) fn kept_len(functional: &Functional) -> u32 {
+    index(functional.longest() + 1)
 }
 
 /// Samples that a late output's predictions wait for.

@@ -145,8 +145,8 @@ pub enum Hold {
 /// x' or x+ as a function of t, x, u.
 pub type Change = Box<dyn Fn(f64, &[f64], &[f64]) -> Vec<f64>>;
 
-/// y as a function of x.
-pub type Show = Box<dyn Fn(&[f64]) -> Vec<f64>>;
+/// y as a function of x, and of the inputs until then.
+pub type Show = Box<dyn Fn(&[f64], &[f64]) -> Vec<f64>>;
 
 /// A plant as a person would write it down.
 pub struct Truth {
@@ -222,13 +222,8 @@ impl Truth {
             });
             run.inputs.push(applied.collect());
             run.states.push(x.clone());
-            let outputs: Vec<Vec<f64>> = run
-                .states
-                .iter()
-                .rev()
-                .take(1 + delays.iter().max().unwrap_or(&0))
-                .map(|x| (self.outputs)(x))
-                .collect();
+            let past = run.states.iter().zip(&run.inputs).rev().take(1 + delays.iter().max().unwrap_or(&0));
+            let outputs: Vec<Vec<f64>> = past.map(|(x, u)| (self.outputs)(x, u)).collect();
             let sample = |o: usize| outputs.get(delays[o]).map_or(NOTHING_YET, |y| y[o]);
             run.measurements.push((0..delays.len()).map(sample).collect());
         }

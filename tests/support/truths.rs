@@ -10,10 +10,11 @@ use super::plant::{Hold, Truth, corpus};
 /// Every specification of the corpus whose truth is known.
 pub fn truth(name: &str) -> Option<Truth> {
     Some(match name {
+        "battery" => battery(),
         "dc_motor" | "motor_single_delay" | "motor_intermittent" | "motor_recursive" | "luenberger" => dc_motor(),
         "motor_continuous" => smooth_motor(),
         "differentiator" => integrators(&[2.0, 3.0, 5.0, 5.0]),
-        "differentiator_encoder" => integrators(&[0.5, 2.0, 5.0]),
+        "differentiator_encoder" | "three_windows" | "lossy_encoder" => integrators(&[0.5, 2.0, 5.0]),
         // A ramp, whose backward differences are its derivatives.
         "differentiator_euler" => {
             Truth { start: vec![(290.0, 310.0), (-0.05, 0.05), (0.0, 0.0)], ..integrators(&[0.0; 3]) }
@@ -29,7 +30,9 @@ pub fn truth(name: &str) -> Option<Truth> {
         "drive_prescribed" => drive_prescribed(),
         "fixed_time_linear" => shaker(),
         "inverted_cart" => inverted_cart(0.3),
-        "late_position" => late_position(0.4),
+        "late_position" | "lossy_position" => late_position(0.4),
+        "lossy_arm" => lossy_arm(),
+        "two_rates" => two_rates(),
         "long_window" | "high_gain" => long_window(),
         "magnetic_levitation" => magnetic_levitation(),
         "mass_chain" => mass_chain(),
@@ -41,7 +44,7 @@ pub fn truth(name: &str) -> Option<Truth> {
         "thermal_stack" => thermal_stack(),
         "two_mass_drive" => two_mass_drive(),
         "two_mass_kalman" => {
-            Truth { outputs: Box::new(|x| vec![x[0], x[1]]), delays: vec![0.0; 2], ..drive_prescribed() }
+            Truth { outputs: Box::new(|x, _| vec![x[0], x[1]]), delays: vec![0.0; 2], ..drive_prescribed() }
         }
         "unknown_discrete" => unknown_discrete(),
         "unknown_force" => unknown_force(),
@@ -103,12 +106,25 @@ fn dc_motor() -> Truth {
         change: Box::new(|_, x, u| {
             vec![x[1], 15.0 * x[2] - 35.0 * x[0].sin() - x[1], 40.0 * u[0] - 36.4 * x[1] - 200.0 * x[2]]
         }),
-        outputs: Box::new(|x| vec![x[0]]),
+        outputs: Box::new(|x, _| vec![x[0]]),
         delays: vec![0.0],
         holds: vec![Hold::Zero],
         start: vec![(-2.0, 2.0), (-3.0, 3.0), (-1.0, 1.0)],
         input: vec![(-10.0, 10.0)],
         exact: false,
+    }
+}
+
+fn battery() -> Truth {
+    Truth {
+        discrete: false,
+        change: Box::new(|_, x, u| vec![-u[0] / (3600.0 * 2.9), u[0] / 2400.0 - x[1] / (0.015 * 2400.0)]),
+        outputs: Box::new(|x, u| vec![3.2 + 0.9 * x[0] - x[1] - 0.02 * u[0]]),
+        delays: vec![0.0],
+        holds: vec![Hold::Zero],
+        start: vec![(0.2, 0.9), (-0.02, 0.05)],
+        input: vec![(-3.0, 6.0)],
+        exact: true,
     }
 }
 
@@ -122,7 +138,7 @@ fn integrators(start: &[f64]) -> Truth {
     Truth {
         discrete: false,
         change: Box::new(|_, x, _| x[1..].iter().copied().chain([0.0]).collect()),
-        outputs: Box::new(|x| vec![x[0]]),
+        outputs: Box::new(|x, _| vec![x[0]]),
         delays: vec![0.0],
         holds: vec![],
         start: start.iter().map(|most| (-most, *most)).collect(),
@@ -162,7 +178,7 @@ fn drive_irregular() -> Truth {
     Truth {
         discrete: false,
         change: Box::new(|_, x, u| vec![x[1], 15.0 * x[2] - x[1], 40.0 * u[0] - 36.4 * x[1] - 200.0 * x[2]]),
-        outputs: Box::new(|x| vec![x[0]]),
+        outputs: Box::new(|x, _| vec![x[0]]),
         delays: vec![0.0],
         holds: vec![Hold::Zero],
         start: vec![(-2.0, 2.0), (-3.0, 3.0), (-1.0, 1.0)],
@@ -178,7 +194,7 @@ fn drive_prescribed() -> Truth {
             let shaft = 400.0 * (x[0] - x[1]) + 0.2 * (x[2] - x[3]);
             vec![x[2], x[3], (u[0] - shaft) / 0.01, shaft / 0.05]
         }),
-        outputs: Box::new(|x| vec![x[0]]),
+        outputs: Box::new(|x, _| vec![x[0]]),
         delays: vec![0.0],
         exact: true,
         ..two_mass_drive()
@@ -189,7 +205,7 @@ fn oscillator() -> Truth {
     Truth {
         discrete: false,
         change: Box::new(|_, x, u| vec![x[1], u[0] - 0.4 * x[1] - 25.0 * x[0]]),
-        outputs: Box::new(|x| vec![x[0]]),
+        outputs: Box::new(|x, _| vec![x[0]]),
         delays: vec![0.0],
         holds: vec![Hold::Zero],
         start: vec![(-0.5, 0.5), (-2.0, 2.0)],
@@ -203,7 +219,7 @@ fn shaker() -> Truth {
     Truth {
         discrete: false,
         change: Box::new(|_, x, u| vec![x[1], 40.0 * x[2] - 900.0 * x[0] - 3.0 * x[1], 25.0 * (u[0] - x[2])]),
-        outputs: Box::new(|x| vec![x[0]]),
+        outputs: Box::new(|x, _| vec![x[0]]),
         delays: vec![0.0],
         holds: vec![Hold::Zero],
         start: vec![(-0.01, 0.01), (-0.3, 0.3), (-0.5, 0.5)],
@@ -217,7 +233,7 @@ fn swinging() -> Truth {
     Truth {
         discrete: false,
         change: Box::new(|t, x, _| vec![x[1], x[2], 150.0 * (6.0 * t).sin() - 30.0 * x[1]]),
-        outputs: Box::new(|x| vec![x[0]]),
+        outputs: Box::new(|x, _| vec![x[0]]),
         delays: vec![0.0],
         holds: vec![],
         start: vec![(-0.5, 0.5), (-2.0, 2.0), (-5.0, 5.0)],
@@ -239,12 +255,39 @@ pub fn inverted_cart(ground: f64) -> Truth {
                 -0.4545 * dx + 31.1818 * angle + 4.5455 * force + ground * (2.0 * PI * 1.5 * t).sin(),
             ]
         }),
-        outputs: Box::new(|x| vec![x[0], x[1]]),
+        outputs: Box::new(|x, _| vec![x[0], x[1]]),
         delays: vec![0.0; 2],
         holds: vec![Hold::Zero],
         start: vec![(-0.1, 0.1), (-0.05, 0.05), (-0.2, 0.2), (-0.1, 0.1)],
         input: vec![(-1.0, 1.0)],
         exact: ground == 0.0,
+    }
+}
+
+/// Swings that stay within a turn, so that the estimate of a wrapped angle is the angle.
+fn lossy_arm() -> Truth {
+    Truth {
+        discrete: false,
+        change: Box::new(|_, x, u| vec![x[1], 8.0 * u[0] - 35.0 * x[0].sin() - x[1]]),
+        outputs: Box::new(|x, _| vec![x[0]]),
+        delays: vec![0.0],
+        holds: vec![Hold::Zero],
+        start: vec![(-0.5, 0.5), (-2.0, 2.0)],
+        input: vec![(-1.0, 1.0)],
+        exact: false,
+    }
+}
+
+fn two_rates() -> Truth {
+    Truth {
+        discrete: false,
+        change: Box::new(|_, x, u| vec![x[1], u[0] / 2.5 - 0.8 * x[1] + x[2], 0.0]),
+        outputs: Box::new(|x, _| vec![x[0], x[1]]),
+        delays: vec![0.02, 0.0],
+        holds: vec![Hold::Zero],
+        start: vec![(-1.0, 1.0), (-1.0, 1.0), (-0.5, 0.5)],
+        input: vec![(-2.0, 2.0)],
+        exact: true,
     }
 }
 
@@ -261,7 +304,7 @@ pub fn late_position(friction: f64) -> Truth {
                 30.0 * (speed - wheel),
             ]
         }),
-        outputs: Box::new(|x| vec![x[0], x[3]]),
+        outputs: Box::new(|x, _| vec![x[0], x[3]]),
         delays: vec![0.04, 0.0],
         holds: vec![Hold::Zero],
         start: vec![(-5.0, 5.0), (-0.3, 0.3), (-0.5, 0.5), (-0.3, 0.3)],
@@ -274,7 +317,7 @@ fn long_window() -> Truth {
     Truth {
         discrete: false,
         change: Box::new(|_, x, u| vec![x[1], -9.81 / 6.0 * x[0].sin() - 0.05 * x[1] - u[0] / 6.0]),
-        outputs: Box::new(|x| vec![x[0]]),
+        outputs: Box::new(|x, _| vec![x[0]]),
         delays: vec![0.0],
         holds: vec![Hold::Zero],
         start: vec![(-0.3, 0.3), (-0.2, 0.2)],
@@ -287,7 +330,7 @@ fn small_memory() -> Truth {
     Truth {
         discrete: false,
         change: Box::new(|_, x, u| vec![x[1], u[0] / 2e-3 - 1.5 * x[1] - x[2], 0.0]),
-        outputs: Box::new(|x| vec![x[0]]),
+        outputs: Box::new(|x, _| vec![x[0]]),
         delays: vec![0.0],
         holds: vec![Hold::Zero],
         start: vec![(-3.0, 3.0), (-20.0, 20.0), (-50.0, 50.0)],
@@ -300,7 +343,7 @@ fn magnetic_levitation() -> Truth {
     Truth {
         discrete: false,
         change: Box::new(|_, x, u| vec![x[1], 9.81 - 6.53e-5 * u[0] * u[0] / (2.0 * 0.068 * x[0] * x[0])]),
-        outputs: Box::new(|x| vec![x[0]]),
+        outputs: Box::new(|x, _| vec![x[0]]),
         delays: vec![0.0],
         holds: vec![Hold::Zero],
         start: vec![(0.009, 0.011), (-0.05, 0.05)],
@@ -321,7 +364,7 @@ fn mass_chain() -> Truth {
     Truth {
         discrete: false,
         change: Box::new(move |_, x, u| a.iter().zip(&b).map(|(a, b)| dot(a, x) + dot(b, u)).collect()),
-        outputs: Box::new(move |x| c.iter().map(|row| dot(row, x)).collect()),
+        outputs: Box::new(move |x, _| c.iter().map(|row| dot(row, x)).collect()),
         delays: vec![0.0; 3],
         holds: vec![Hold::Zero],
         start: (0..n).map(|i| if i < 6 { (-0.1, 0.1) } else { (-1.0, 1.0) }).collect(),
@@ -347,7 +390,7 @@ fn pendulum() -> Truth {
     Truth {
         discrete: false,
         change: Box::new(|_, x, _| vec![x[1], 64.2189 * x[0].sin() - 0.067_227 * x[1]]),
-        outputs: Box::new(|x| vec![x[0]]),
+        outputs: Box::new(|x, _| vec![x[0]]),
         delays: vec![0.0],
         holds: vec![],
         start: vec![(0.5, 2.5), (-5.0, 5.0)],
@@ -361,7 +404,7 @@ fn pendulum_discrete() -> Truth {
     Truth {
         discrete: false,
         change: Box::new(|_, x, _| vec![x[1], -x[0].sin()]),
-        outputs: Box::new(|x| vec![x[0]]),
+        outputs: Box::new(|x, _| vec![x[0]]),
         delays: vec![0.0],
         holds: vec![],
         start: vec![(-2.0, 2.0), (-1.0, 1.0)],
@@ -381,7 +424,7 @@ fn thermal_stack() -> Truth {
                 0.2 * block + 0.8 * sensor,
             ]
         }),
-        outputs: Box::new(|x| vec![x[2]]),
+        outputs: Box::new(|x, _| vec![x[2]]),
         delays: vec![0.0],
         holds: vec![Hold::Zero; 2],
         start: vec![(10.0, 40.0); 3],
@@ -398,7 +441,7 @@ fn two_mass_drive() -> Truth {
             let shaft = 400.0 * (motor - load) + 0.2 * (motor_speed - load_speed);
             vec![motor_speed, load_speed, (u[0] - shaft) / 0.01, (shaft - 1.5 * load.sin()) / 0.05]
         }),
-        outputs: Box::new(|x| vec![x[0], x[1]]),
+        outputs: Box::new(|x, _| vec![x[0], x[1]]),
         delays: vec![0.0; 2],
         holds: vec![Hold::First],
         start: vec![(-0.5, 0.5), (-0.5, 0.5), (-10.0, 10.0), (-10.0, 10.0)],
@@ -421,7 +464,7 @@ fn unknown_force() -> Truth {
                 0.0,
             ]
         }),
-        outputs: Box::new(|x| vec![x[0], x[2]]),
+        outputs: Box::new(|x, _| vec![x[0], x[2]]),
         delays: vec![0.0; 2],
         holds: vec![Hold::Zero],
         start: vec![(-1.0, 1.0), (-3.0, 3.0), (-1.0, 1.0), (-20.0, 20.0), (-2.0, 2.0)],
@@ -443,7 +486,7 @@ fn unknown_force_network() -> Truth {
                 + weights[3] * (3.0 * t).sin();
             vec![x[1], -40.0 * position + u[0] + field, 0.0, 0.0, 0.0, 0.0]
         }),
-        outputs: Box::new(|x| vec![x[0]]),
+        outputs: Box::new(|x, _| vec![x[0]]),
         delays: vec![0.0],
         holds: vec![Hold::Zero],
         start: vec![(1.0, 1.5), (-1.0, 1.0), (-3.0, 3.0), (-3.0, 3.0), (-3.0, 3.0), (-3.0, 3.0)],
@@ -459,7 +502,7 @@ fn unknown_discrete() -> Truth {
             let (level, shown, leak) = (x[0], x[1], x[2]);
             vec![0.98 * level + 0.05 * u[0] - leak, 0.3 * level + 0.7 * shown, leak]
         }),
-        outputs: Box::new(|x| vec![x[1]]),
+        outputs: Box::new(|x, _| vec![x[1]]),
         delays: vec![0.0],
         holds: vec![Hold::Zero],
         start: vec![(0.5, 2.0), (0.5, 2.0), (0.0, 0.02)],

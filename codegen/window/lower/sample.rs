@@ -11,20 +11,20 @@ use super::injections::{Injections, Moment};
 use super::{Lowering, Sampled, late_len, place};
 
 /// The signals of this call, as far as they are known.
-struct Signals<'a> {
-    injections: Injections<'a>,
+pub(super) struct Signals<'a> {
+    pub(super) injections: Injections<'a>,
     /// Per signal.
-    values: Vec<Option<Value>>,
+    pub(super) values: Vec<Option<Value>>,
     /// Whether what was sampled now was good: one per sample that may be bad.
-    now: Vec<Value>,
+    pub(super) now: Vec<Value>,
     /// Whether what was applied since the last call was good.
-    since: Vec<Value>,
+    pub(super) since: Vec<Value>,
 }
 
 impl<'a> Lowering<'a> {
     /// Reads, guards, predicts and evaluates.
     pub(crate) fn sample(&mut self) -> Sampled {
-        let window = self.window();
+        let window = self.kept();
         self.builder.section("samples: outside its range, infinite or NaN means missing");
         let before = self.builder.read(self.cells.newest);
         let before = self.builder.at_most(before, window - 1);
@@ -33,7 +33,7 @@ impl<'a> Lowering<'a> {
         let outputs = self.plant.outputs.len();
         let read = (0..outputs).map(|o| self.read_output(o)).collect();
         let mut signals = self.read_signals(before);
-        let (measured, good): (Vec<Value>, Vec<Value>) =
+        let (measured, mut good): (Vec<Value>, Vec<Value>) =
             self.without_inputs(read, &signals.injections.inputs).into_iter().unzip();
 
         self.builder.section("prediction, for a sample that is missing");
@@ -42,13 +42,15 @@ impl<'a> Lowering<'a> {
         let predicted: Vec<Value> = (0..outputs).map(|o| self.predict(o, &signals.values)).collect();
         let last: Vec<Value> =
             self.cells.outputs.clone().iter().map(|kept| kept.read(&mut self.builder, before)).collect();
+        let place: Vec<Value> = (0..outputs).map(|o| self.placed(o, predicted[o], last[o])).collect();
+        let again = self.gate(&measured, &place, &mut good, count);
         let candidates: Vec<Value> = (0..outputs)
             .map(|o| {
                 // The injections are guarded for samples within the range; so must be what stands in for one.
                 let (low, high) = self.guard.outputs[o];
-                let sane = self.builder.in_range(predicted[o], low, high);
+                let sane = self.builder.in_range(place[o], low, high);
                 let usable = self.builder.and(converged, sane);
-                let instead = self.builder.select(usable, predicted[o], last[o]);
+                let instead = self.builder.select(usable, place[o], last[o]);
                 self.builder.select(good[o], measured[o], instead)
             })
             .collect();
@@ -58,6 +60,7 @@ impl<'a> Lowering<'a> {
         let stored = (0..outputs)
             .map(|o| {
                 let refined = self.refine(o, predicted[o], &values, before);
+                let refined = self.placed(o, refined, last[o]);
                 let (low, high) = self.guard.outputs[o];
                 let sane = self.builder.in_range(refined, low, high);
                 // A late sample is predicted from an estimate of some calls ago, which must have converged.
@@ -87,59 +90,18 @@ impl<'a> Lowering<'a> {
             newest_good,
             late,
             lost,
+            again,
             outputs: stored,
             signals: values,
             inputs: signals.injections.inputs,
             present: Vec::new(),
-        }
-    }
-
-    /// Reads, guards and evaluates for an estimate from the samples that are there: nothing stands in for the others.
-    pub(super) fn sample_what_is_there(&mut self) -> Sampled {
-        let window = self.window();
-        self.builder.section("samples: outside its range, infinite or NaN means missing");
-        let before = self.builder.read(self.cells.newest);
-        let before = self.builder.at_most(before, window - 1);
-        let read = (0..self.plant.outputs.len()).map(|o| self.read_output(o)).collect();
-        let mut signals = self.read_signals(before);
-        let read = self.without_inputs(read, &signals.injections.inputs);
-        let newest = self.builder.advance(before, window);
-        let (zero, one) = (self.builder.float(0.0), self.builder.float(1.0));
-        let all_kept = self.cells.outputs.clone();
-        let outputs: Vec<Value> = read
-            .iter()
-            .zip(all_kept)
-            .map(|((value, good), kept)| {
-                let last = kept.read(&mut self.builder, before);
-                self.builder.select(*good, *value, last)
-            })
-            .collect();
-        let present = read.iter().map(|(_, good)| self.builder.select(*good, one, zero)).collect();
-        let count = self.builder.read(self.cells.count);
-        let expected = self.expected(read.iter().map(|(_, good)| *good).collect(), count);
-        self.known_before_the_samples(&mut signals, before);
-        self.known_with_the_samples(&mut signals, before, &outputs);
-        let values = signals.values.into_iter().flatten().collect();
-        let (samples_good, lost) = (self.builder.boolean(true), self.builder.boolean(false));
-        let of_now: Vec<Value> = expected.into_iter().chain(signals.now).collect();
-        let (interval_good, newest_good) = (all(&mut self.builder, &signals.since), all(&mut self.builder, &of_now));
-        let late = Vec::new();
-        Sampled {
-            newest,
-            samples_good,
-            interval_good,
-            newest_good,
-            late,
-            lost,
-            outputs,
-            signals: values,
-            inputs: signals.injections.inputs,
-            present,
+            slots: Vec::new(),
+            coasted: None,
         }
     }
 
     /// Whether each sample is good, or missing as measurements at irregular times are.
-    fn expected(&mut self, good: Vec<Value>, count: Value) -> Vec<Value> {
+    pub(super) fn expected(&mut self, good: Vec<Value>, count: Value) -> Vec<Value> {
         let Some(gaps) = self.functional.gaps else { return good };
         // Predictions need a first sample; a solve over what is there does not.
         let started =
@@ -161,19 +123,19 @@ impl<'a> Lowering<'a> {
     }
 
     /// A sample, with its inputs still in it.
-    fn read_output(&mut self, output: usize) -> (Value, Value) {
+    pub(super) fn read_output(&mut self, output: usize) -> (Value, Value) {
         front::read(&mut self.builder, self.plant, output, self.guard.outputs[output])
     }
 
     /// Samples without the inputs that they have in them.
-    fn without_inputs(&mut self, samples: Vec<(Value, Value)>, inputs: &[Value]) -> Vec<(Value, Value)> {
+    pub(super) fn without_inputs(&mut self, samples: Vec<(Value, Value)>, inputs: &[Value]) -> Vec<(Value, Value)> {
         let (b, plant, ranges) = (&mut self.builder, self.plant, &self.guard.outputs);
         let each = samples.into_iter().zip(ranges).enumerate();
         each.map(|(o, (sample, range))| front::without_inputs(b, plant, o, sample, inputs, *range)).collect()
     }
 
     /// The inputs, with the last good value in place of a bad one.
-    fn read_signals(&mut self, before: Value) -> Signals<'a> {
+    pub(super) fn read_signals(&mut self, before: Value) -> Signals<'a> {
         let mut signals = Signals {
             injections: Injections::new(self.plant, self.cells.calls, Vec::new()),
             values: vec![None; self.functional.signals.len()],
@@ -203,7 +165,7 @@ impl<'a> Lowering<'a> {
 
     /// Signals that need no sample of this call: inputs, what is constant since the last call, and
     /// the starts of intervals.
-    fn known_before_the_samples(&mut self, signals: &mut Signals, before: Value) {
+    pub(super) fn known_before_the_samples(&mut self, signals: &mut Signals, before: Value) {
         for (s, signal) in self.functional.signals.iter().enumerate() {
             let moment = match (signal.part, signal.source) {
                 (Part::Start, _) => Moment::Before(before),
@@ -217,7 +179,7 @@ impl<'a> Lowering<'a> {
     }
 
     /// Signals that depend on the samples of this call.
-    fn known_with_the_samples(&mut self, signals: &mut Signals, before: Value, samples: &[Value]) {
+    pub(super) fn known_with_the_samples(&mut self, signals: &mut Signals, before: Value, samples: &[Value]) {
         for (s, signal) in self.functional.signals.iter().enumerate() {
             if signals.values[s].is_some() {
                 continue;
@@ -262,6 +224,17 @@ impl<'a> Lowering<'a> {
 /// Its predictions would then feed on themselves, corrected by what the others see of it; nothing makes
 /// that recursion stable. With every output missing it is the plant's own model, which may go on.
 pub(crate) fn abandoned(b: &mut Builder, missed: &[(CellId, u32)], good: &[Value]) -> Option<Value> {
+    let gone = gone(b, missed, good);
+    if gone.is_empty() {
+        return None;
+    }
+    let (any, all) = (any(b, &gone), all(b, &gone));
+    let some_left = b.not(all);
+    Some(b.and(any, some_left))
+}
+
+/// Whether each output has been missing for a whole window; counts on.
+pub(super) fn gone(b: &mut Builder, missed: &[(CellId, u32)], good: &[Value]) -> Vec<Value> {
     let mut gone = Vec::new();
     for ((cell, samples), good) in missed.iter().zip(good) {
         let before = b.read(*cell);
@@ -274,12 +247,7 @@ pub(crate) fn abandoned(b: &mut Builder, missed: &[(CellId, u32)], good: &[Value
         let count = b.select(*good, none, more);
         b.set(*cell, count);
     }
-    if gone.is_empty() {
-        return None;
-    }
-    let (any, all) = (any(b, &gone), all(b, &gone));
-    let some_left = b.not(all);
-    Some(b.and(any, some_left))
+    gone
 }
 
 /// Whether all of some truths hold.
