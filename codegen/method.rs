@@ -72,9 +72,6 @@ pub struct Method {
     pub read: fn(&mut Table) -> Option<Arc<dyn Keyed>>,
 }
 
-/// Of what a method could do.
-const NOT_YET: Cannot = Cannot { why: "it is not built yet", instead: "leave the key out" };
-
 /// A method with its keys read.
 pub trait Keyed: Debug + Send + Sync {
     /// The order of the chain of integrators that stands for the plant: of the key `order`, where it is given.

@@ -64,7 +64,8 @@ impl Lowering<'_> {
         };
         lost.extend(runs_away);
         let lost = any(&mut self.builder, &lost);
-        let coasted = self.plant.coasted.then(|| self.coasted(&good));
+        let cell = self.plant.coasted.then(|| self.memory().coasted);
+        let coasted = cell.map(|cell| self.coasted(cell, &good));
         let samples_good = self.builder.boolean(true);
         let of_now: Vec<Value> = expected.into_iter().chain(now).collect();
         let (interval_good, newest_good) = (all(&mut self.builder, &since), all(&mut self.builder, &of_now));
@@ -76,13 +77,14 @@ impl Lowering<'_> {
             newest_good,
             late,
             lost,
-            again: None,
+            counts: vec![None; outputs.len()],
             outputs,
             signals: values,
             inputs: injections.inputs,
             present,
             slots: slots.into_iter().map(|(_, slot)| slot).collect(),
             coasted,
+            again: None,
         }
     }
 
@@ -117,18 +119,6 @@ impl Lowering<'_> {
             lost.push(over);
         }
         (accepted, lost)
-    }
-
-    /// Calls since a sample was accepted.
-    fn coasted(&mut self, good: &[Value]) -> Value {
-        let cell = self.memory().coasted;
-        let b = &mut self.builder;
-        let accepted = any(b, good);
-        let (none, before) = (b.index(0), b.read(cell));
-        let more = b.count_up(before, u32::MAX);
-        let since = b.select(accepted, none, more);
-        b.set(cell, since);
-        since
     }
 
     /// Per output: whether a nonlinear term needs its value.
