@@ -3,8 +3,14 @@
 //! Text for people on standard output, diagnostics on standard error. Exit 0 fine, 1 the
 //! specification or the data is wrong, 2 what is on disk differs, 3 wrong usage.
 
+mod columns;
 mod commands;
+mod compare;
+mod estimate;
 mod figure;
+mod files;
+mod interface;
+mod progress;
 mod recording;
 mod replay;
 mod report;
@@ -70,6 +76,8 @@ enum Command {
     },
     /// Replays a recording through the generated step and reports the errors
     Run(run::Options),
+    /// Replays recordings through several steps each: a table of errors, lags, deadlines, memory and operations
+    Compare(compare::Options),
     /// Methods with their keys and realisations, and targets
     List {
         /// A method, for its page
@@ -134,16 +142,21 @@ enum ScalarWord {
 
 impl Common {
     fn settings(&self) -> Settings {
-        let scalar = self.scalar.map(|word| match word {
-            ScalarWord::F32 => deadbeat_codegen::program::Scalar::F32,
-            ScalarWord::F64 => deadbeat_codegen::program::Scalar::F64,
-        });
-        Settings { scalar }
+        settings(self.scalar)
     }
 
     fn json(&self) -> bool {
         self.format == Format::Json
     }
+}
+
+/// The settings that the float type of the command line stands for.
+fn settings(scalar: Option<ScalarWord>) -> Settings {
+    let scalar = scalar.map(|word| match word {
+        ScalarWord::F32 => deadbeat_codegen::program::Scalar::F32,
+        ScalarWord::F64 => deadbeat_codegen::program::Scalar::F64,
+    });
+    Settings { scalar }
 }
 
 /// How a command ends.
@@ -197,6 +210,7 @@ fn dispatch(command: &Command) -> Result<End, Failure> {
         Command::Generate { specs, target, common } => commands::generate(specs, target, common),
         Command::Verify { specs, target, common } => commands::verify(specs, target, common),
         Command::Run(options) => run::run(options),
+        Command::Compare(options) => compare::compare(options),
         Command::List { method, common } => commands::list(method.as_deref(), common),
     }
 }

@@ -39,10 +39,25 @@ pub mod sliding;
 pub mod theorem1;
 
 use crate::design::Settled;
+use crate::method::{Cannot, Feature};
 use crate::window::Signal;
 
 /// Settled entries, row-major; `None` marks a structural zero.
 pub type Grid = Vec<Vec<Option<Settled>>>;
+
+/// Why no corrector can do something that a specification asks for.
+pub fn cannot(feature: Feature) -> Option<Cannot> {
+    let (why, instead) = match feature {
+        Feature::Wrap | Feature::Gate | Feature::Ahead | Feature::Coasted => return None,
+        Feature::Every => (
+            "one gain for samples at several rates is not proven stable",
+            "use `kalman` or `window`, which take several rates",
+        ),
+        Feature::Age => ("its gains are of samples taken at the calls", "use `window`, which takes samples of any age"),
+        Feature::Counter | Feature::InitAt => ("it is not built yet", "leave the key out"),
+    };
+    Some(Cannot { why, instead })
+}
 
 /// What the gain does when the countdown has come to its end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use crate::design::{Convergence, Shape};
+use crate::design::{Certificate, Convergence, Shape};
 use crate::diagnostic::Source;
 use crate::emit::Header;
 use crate::output::Language;
@@ -144,6 +144,14 @@ fn measured(output: &crate::plant::Output) -> String {
     text
 }
 
+/// What a sample may be off by, where that has parts.
+pub fn noise_parts(output: &crate::plant::Output) -> Option<String> {
+    let value = |constant: &crate::expr::Constant| short(constant.to_f64().unwrap_or(f64::NAN));
+    let total = output.noise.as_ref().filter(|_| !output.noise_parts.is_empty())?;
+    let parts: Vec<String> = output.noise_parts.iter().map(|(what, part)| format!("{} {what}", value(part))).collect();
+    Some(format!("noise of {}: at most {}, of which {}", output.label.name, value(total), parts.join(", ")))
+}
+
 fn converged(generated: &Generated) -> String {
     let step = generated.design.valid_from_step;
     let time = format!("{:.9}", crate::window::seconds(step, generated.plant.sample_time_s()));
@@ -183,10 +191,13 @@ fn converged(generated: &Generated) -> String {
 
 /// How long a missing sample tells, where that is no window's length.
 fn coasting(generated: &Generated) -> Option<String> {
-    let Shape::Corrector(corrector) = &generated.design.shape else { return None };
-    let calls = corrector.recovery;
-    let calls = if calls == 1 { "1 good call".into() } else { format!("{calls} good calls in a row") };
-    Some(format!("Coasting   from a missing sample on, until {calls} have followed"))
+    let calls = match &generated.design.shape {
+        Shape::Corrector(corrector) => corrector.recovery,
+        Shape::Baseline(baseline) => baseline.recovery,
+        _ => return None,
+    };
+    let calls = if calls == 1 { "1 good call has".into() } else { format!("{calls} good calls in a row have") };
+    Some(format!("Coasting   from a missing sample on, until {calls} followed"))
 }
 
 /// A share of an error; below the digits that it was computed with, that.
@@ -209,9 +220,30 @@ fn costs(generated: &Generated) -> Vec<String> {
     ]
 }
 
-/// Gains and bounds as a table: a column per state.
+/// Gains and bounds, of each window where there are several.
 fn certificate(generated: &Generated) -> Vec<String> {
-    let (plant, certificate) = (&generated.plant, &generated.design.certificate);
+    if let Shape::Baseline(baseline) = &generated.design.shape {
+        return vec![format!("  {}", baseline.no_gains())];
+    }
+    let mut lines = gains(generated, &generated.design.certificate);
+    let Shape::Window(functional) = &generated.design.shape else { return lines };
+    let length = |steps: usize| {
+        let time = crate::window::trimmed(crate::window::seconds(steps, generated.plant.sample_time_s()));
+        format!("  window of {time} s, {} samples", steps + 1)
+    };
+    if !functional.longer.is_empty() {
+        lines.insert(0, length(functional.steps));
+    }
+    for (place, longer) in functional.longer.iter().enumerate() {
+        lines.push(format!("{}, names with _{} behind them", length(longer.functional.steps), place + 2));
+        lines.extend(gains(generated, &longer.certificate));
+    }
+    lines
+}
+
+/// One window's gains and bounds as a table: a column per state.
+fn gains(generated: &Generated, certificate: &Certificate) -> Vec<String> {
+    let plant = &generated.plant;
     if certificate.noise_gain_l1.is_empty() && certificate.error_bound.is_empty() {
         return vec!["  no gains from noise: they depend on how far the signals excite the unknowns".into()];
     }

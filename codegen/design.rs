@@ -5,6 +5,7 @@
 //! A Design knows no language.
 
 use crate::ahead::Ahead;
+use crate::baseline::{self, Baseline};
 use crate::corrector::{self, Corrector};
 use crate::diagnostic::Diagnostic;
 use crate::expr::Symbol;
@@ -179,6 +180,8 @@ pub enum Shape {
     Impulsive(Box<Impulsive>),
     /// Predict and correct.
     Corrector(Box<Corrector>),
+    /// A signal and its rate without a model.
+    Baseline(Box<Baseline>),
 }
 
 impl Shape {
@@ -187,7 +190,7 @@ impl Shape {
         match self {
             Self::Window(functional) if functional.signals.iter().any(|s| s.part == Part::Curves) => Between::Cubics,
             Self::Impulsive(design) => design.between,
-            Self::Window(_) | Self::Regression(_) | Self::Corrector(_) => Between::Lines,
+            Self::Window(_) | Self::Regression(_) | Self::Corrector(_) | Self::Baseline(_) => Between::Lines,
         }
     }
 }
@@ -232,6 +235,15 @@ impl Design {
         }
     }
 
+    /// What is promised, of every window where there are several.
+    pub fn certificates(&mut self) -> impl Iterator<Item = &mut Certificate> {
+        let longer = match &mut self.shape {
+            Shape::Window(functional) => functional.longer.as_mut_slice(),
+            _ => &mut [],
+        };
+        std::iter::once(&mut self.certificate).chain(longer.iter_mut().map(|longer| &mut longer.certificate))
+    }
+
     /// The step as a Program.
     pub fn lower(&self, plant: &Plant, ahead: Option<&Ahead>) -> Result<Program, Vec<Diagnostic>> {
         match &self.shape {
@@ -239,6 +251,7 @@ impl Design {
             Shape::Regression(regression) => regression::lower::lower(plant, regression),
             Shape::Impulsive(design) => impulsive::lower::lower(plant, design, ahead),
             Shape::Corrector(design) => corrector::lower::lower(plant, design, ahead),
+            Shape::Baseline(design) => baseline::lower::lower(plant, design, ahead),
         }
     }
 }

@@ -8,6 +8,7 @@
 //! the command line touch the disk. Start at [`Generator`].
 
 pub mod ahead;
+pub mod baseline;
 pub mod corrector;
 pub mod decimal;
 mod dense;
@@ -20,6 +21,7 @@ mod front;
 pub mod implicit_euler;
 pub mod impulsive;
 pub mod method;
+pub mod one_count;
 pub mod parameters;
 pub mod plant;
 pub mod program;
@@ -39,6 +41,7 @@ pub use spec::Settings;
 use ahead::Ahead;
 use design::Design;
 use method::Moment;
+use one_count::OneCount;
 use plant::Plant;
 use program::Program;
 use spec::Spec;
@@ -62,6 +65,8 @@ pub struct Generated {
     pub design: Design,
     /// What a step does.
     pub program: Program,
+    /// What one count of a quantised output does.
+    pub one_count: OneCount,
     /// What was said beside the specification.
     pub settings: Settings,
     /// Warnings; no errors.
@@ -99,15 +104,18 @@ impl Generator {
         let mut design = spec.observer.keyed.design(&plant).map_err(report)?;
         let ahead = Ahead::new(&plant).map_err(report)?;
         if let Some(ahead) = &ahead {
-            ahead.certify(&plant, &mut design.certificate);
+            design.certificates().for_each(|certificate| ahead.certify(&plant, certificate));
             design.notes.push(ahead.note());
         }
         let program = design.lower(&plant, ahead.as_ref()).map_err(report)?;
-        warnings.extend(design.warnings.iter().cloned());
         if let Err(error) = program::check::check(&program) {
             unreachable!("a lowering made an invalid Program: {error}");
         }
-        Ok(Generated { plant, design, program, settings: self.settings, report: report(warnings) })
+        let one_count = OneCount::new(&plant, &program, design.valid_from_step);
+        design.notes.extend(one_count.notes(&plant));
+        design.notes.extend(plant.outputs.iter().filter_map(describe::noise_parts));
+        warnings.extend(design.warnings.iter().cloned());
+        Ok(Generated { plant, design, program, one_count, settings: self.settings, report: report(warnings) })
     }
 
     /// What the gains are at one step from the first sample on; inside, a text says why the method has nothing to show.

@@ -3,6 +3,9 @@
 //! A method is one file: what it is, its keys, its design. It reads its own table of the
 //! specification ([`Method::read`]) and gives something that designs ([`Keyed`]).
 
+pub mod adaptive_window;
+pub mod alpha_beta;
+mod baseline;
 mod constant;
 pub mod countdown;
 pub mod differentiator;
@@ -11,10 +14,12 @@ pub mod fixed_time_linear;
 pub mod high_gain;
 pub mod impulsive;
 pub mod kalman;
+pub mod low_pass;
 pub mod luenberger;
 mod noise;
 pub mod order;
 pub mod parameters;
+pub mod pll;
 mod poles;
 pub mod prescribed_time;
 pub mod robust_exact;
@@ -43,6 +48,10 @@ pub const METHODS: &[Method] = &[
     high_gain::METHOD,
     fixed_time_linear::METHOD,
     robust_exact::METHOD,
+    pll::METHOD,
+    alpha_beta::METHOD,
+    low_pass::METHOD,
+    adaptive_window::METHOD,
 ];
 
 /// What a user can name in `[observer.<name>]`.
@@ -62,6 +71,9 @@ pub struct Method {
     /// Reads the method's table; mistakes are reported there and give `None`.
     pub read: fn(&mut Table) -> Option<Arc<dyn Keyed>>,
 }
+
+/// Of what a method could do.
+const NOT_YET: Cannot = Cannot { why: "it is not built yet", instead: "leave the key out" };
 
 /// A method with its keys read.
 pub trait Keyed: Debug + Send + Sync {
@@ -89,7 +101,7 @@ pub trait Keyed: Debug + Send + Sync {
 
     /// Why something that a specification asks for cannot be done for this plant.
     fn cannot(&self, feature: Feature, _plant: &Plant) -> Option<Cannot> {
-        (feature != Feature::Ahead).then_some(Cannot { why: "it is not built yet", instead: "leave the key out" })
+        (feature != Feature::Ahead).then_some(NOT_YET)
     }
 
     /// Designs the observer for a plant, or says everything that stands against it.

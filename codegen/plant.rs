@@ -77,6 +77,8 @@ pub struct Output {
     pub label: Label,
     /// Bound on what a sample may be off by: the declared noise, half a count, and what it moves in the jitter.
     pub noise: Option<Constant>,
+    /// These three, in this order, where there is more than the first.
+    pub noise_parts: Vec<(&'static str, Constant)>,
     /// How late it arrives, s; with its place.
     pub delay: Option<(Constant, Range<usize>)>,
     /// Of `C x`: samples outside are treated as missing.

@@ -280,7 +280,7 @@ fn the_disturbance_gain_of_a_discrete_plant_is_attained() {
                 next[0] += 0.5 * signs[(t / 0.5).round() as usize];
                 next
             }),
-            outputs: Box::new(|x| vec![x[2]]),
+            outputs: Box::new(|x, _| vec![x[2]]),
             delays: vec![0.0],
             holds: vec![Hold::Zero; 2],
             start: vec![(0.0, 0.0); 3],

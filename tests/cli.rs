@@ -494,6 +494,25 @@ fn run_compares() {
         .complains(&["there is no column `theta`", "did you mean `teta`?"]);
 }
 
+/// Claim: a state that is named like its output is not compared with the noisy measurement, unless `--reference` says
+/// so; a column of the state's name is compared when the step reads another one.
+#[test]
+fn run_compares_no_state_with_its_own_measurement() {
+    let desk = Desk::new("own_measurement");
+    desk.write("log.csv", &recording(&swing(300)));
+    let errors =
+        |line: &str| desk.run(&format!("run pendulum.toml {line} --format json")).is(0).json()["errors"].clone();
+    assert_eq!(errors("--log log.csv"), serde_json::json!({}));
+    desk.run("run pendulum.toml --log log.csv").is(0).out.find("nothing to compare").expect("it says so");
+    let asked = errors("--log log.csv --reference theta=theta");
+    assert!(asked["theta"]["rms"].as_f64().is_some_and(|rms| rms > 0.0), "{asked}");
+    // The encoder is another column: `theta` is the truth.
+    let rows: Vec<String> = swing(300).iter().map(|row| format!("{row},3.1")).collect();
+    desk.write("two.csv", &format!("t,theta,encoder\n{}\n", rows.join("\n")));
+    let apart = errors("--log two.csv --map theta=encoder");
+    assert!(apart["theta"]["rms"].as_f64().is_some_and(|rms| (0.03..0.06).contains(&rms)), "{apart}");
+}
+
 /// Claim: a mistake in a recording is named by line and column, ends with 1, and leaves neither the
 /// estimate nor a part of it nor a figure; an estimate of an earlier run stays as it was.
 #[test]

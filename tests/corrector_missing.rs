@@ -47,7 +47,7 @@ fn truth() -> Truth {
     Truth {
         discrete: false,
         change: Box::new(|_, x, u| vec![x[1], u[0] - 9.0 * x[0] - 0.4 * x[1]]),
-        outputs: Box::new(|x| vec![x[0]]),
+        outputs: Box::new(|x, _| vec![x[0]]),
         delays: vec![0.0],
         holds: vec![Hold::Zero],
         start: vec![(-1.0, 1.0), (-3.0, 3.0)],

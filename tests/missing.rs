@@ -23,7 +23,7 @@ use plant::{
     Answers, Hold, Random, Run, Truth, UNIT, at_sample_time, corpus, delays, designed, designed_in, edited, functional,
 };
 use plant::{integration_rounding, matrix, rounding};
-use truths::{corrects, inverted_cart, late_position, names, names_of, truth};
+use truths::{corrects, inverted_cart, is_baseline, late_position, names, names_of, truth};
 
 use Status::{Coasting, Converged, Converging};
 
@@ -57,7 +57,11 @@ fn a_missing_sample_starts_the_window_again() {
         let generated = designed(&corpus(&name));
         // Where not every call is measured, a sample between measurements is not missed. Correctors have no window:
         // `tests/corrector_missing.rs`.
-        if generated.design.convergence != Convergence::Finite || takes_gaps(&generated) || corrects(&name) {
+        if generated.design.convergence != Convergence::Finite
+            || takes_gaps(&generated)
+            || corrects(&name)
+            || is_baseline(&name)
+        {
             continue;
         }
         let steps = generated.design.valid_from_step;

@@ -206,7 +206,7 @@ fn driven() -> (Generated, Truth) {
     let truth = Truth {
         discrete: false,
         change: Box::new(|_, x, u| vec![x[1], -2.0 * x[0] - x[1] + x[2] * u[0], 0.0]),
-        outputs: Box::new(|x| vec![x[0]]),
+        outputs: Box::new(|x, _| vec![x[0]]),
         delays: vec![0.0],
         holds: vec![Hold::Zero],
         start: vec![(-1.0, 1.0), (-1.0, 1.0), (1.0, 2.0)],
@@ -332,7 +332,7 @@ fn missing_samples_are_predicted_with_the_unknowns() {
         let truth = Truth {
             discrete: false,
             change: Box::new(|t, x, _| vec![x[1], -x[0] + x[2] * (2.0 * t).sin(), 0.0]),
-            outputs: Box::new(|x| vec![x[0]]),
+            outputs: Box::new(|x, _| vec![x[0]]),
             delays: vec![delay],
             holds: vec![],
             start: vec![(-1.0, 1.0), (-1.0, 1.0), (1.0, 2.0)],

@@ -2,9 +2,12 @@
 
 use deadbeat_codegen::Generated;
 use deadbeat_codegen::describe::short;
+use deadbeat_codegen::plant::Plant;
 use deadbeat_codegen::program::Status;
+use deadbeat_codegen::real::Rational;
 use deadbeat_codegen::window::seconds;
 
+use super::interface::{Answer, Interface, MeasuredKind, fold, number};
 use super::replay::{Replay, Row, Sample};
 use super::svg::{Cell, Column, Curve, Figure, Marker, Panel, Role};
 use super::thin::Thin;
@@ -33,38 +36,50 @@ impl Line {
     }
 }
 
-/// The curves of one state.
-struct State {
+/// The curves of one field of the estimate.
+struct Quantity {
+    /// Its place among the fields.
+    field: usize,
+    answer: Answer,
     estimate: Line,
     /// With the output that is exactly this state.
-    measured: Option<(usize, Line)>,
+    measured: Option<(Measured, Line)>,
     reference: Option<(Line, Line)>,
+}
+
+/// How a field of the measurements becomes a curve.
+struct Measured {
+    /// Its place among the fields.
+    field: usize,
+    output: usize,
+    /// What one unit of the field is in the output's.
+    scale: f64,
 }
 
 /// All curves of a replay, thinned as they come.
 pub struct Curves {
-    states: Vec<State>,
+    quantities: Vec<Quantity>,
     start: Option<f64>,
     zoom_s: f64,
 }
 
 impl Curves {
-    /// Prepares the curves; `compared` says which states have a reference.
-    pub fn new(generated: &Generated, compared: &[bool]) -> Self {
+    /// Prepares the curves; `compared` says which fields have a reference.
+    pub fn new(generated: &Generated, interface: &Interface, compared: &[bool]) -> Self {
         let plant = &generated.plant;
-        let measured = |j: usize| {
-            let alone = |o: &usize| plant.c[*o].iter().enumerate().all(|(k, c)| c.is_zero() == (k != j));
-            let unit =
-                |o: &usize| plant.c[*o][j].as_rational().is_some_and(|c| c == deadbeat_codegen::real::Rational::ONE);
-            (0..plant.outputs.len()).find(|o| alone(o) && unit(o))
-        };
-        let states = (0..plant.states.len()).map(|j| State {
+        let quantities = interface.quantities().map(|(field, answer)| Quantity {
+            field,
+            answer: answer.clone(),
             estimate: Line::new(),
-            measured: measured(j).map(|o| (o, Line::new())),
-            reference: compared[j].then(|| (Line::new(), Line::new())),
+            measured: answer
+                .state
+                .filter(|state| plant.states[*state].label.name == answer.name)
+                .and_then(|state| measured(plant, interface, state))
+                .map(|measured| (measured, Line::new())),
+            reference: compared[field].then(|| (Line::new(), Line::new())),
         });
         let zoom_s = seconds(WINDOWS_IN_ZOOM * generated.design.window_steps.max(1), plant.sample_time_s());
-        Self { states: states.collect(), start: None, zoom_s }
+        Self { quantities: quantities.collect(), start: None, zoom_s }
     }
 
     /// Takes one row and what the step made of it.
@@ -73,19 +88,21 @@ impl Curves {
         let zoom = sample.t - start <= self.zoom_s;
         let t = sample.t;
         let converged = sample.status != Status::Converging;
-        for (j, state) in self.states.iter_mut().enumerate() {
-            let estimate = sample.estimate[j];
-            let shown = if converged { estimate } else { f64::NAN };
-            state.estimate.whole.push(t, shown);
+        for quantity in &mut self.quantities {
+            let estimate = sample.estimate[quantity.field];
+            let turns = &quantity.answer.turns;
+            quantity.estimate.whole.push(t, if converged { estimate } else { f64::NAN });
             if zoom {
-                state.estimate.beginning.push(t, estimate);
+                quantity.estimate.beginning.push(t, estimate);
             }
-            if let Some((output, line)) = &mut state.measured {
-                line.push(t, row.outputs[*output], zoom);
+            if let Some((measured, line)) = &mut quantity.measured {
+                line.push(t, fold(measured.scale * row.measurements[measured.field], turns), zoom);
             }
-            if let Some((reference, error)) = &mut state.reference {
-                reference.push(t, row.references[j], zoom);
-                error.push(t, if converged { estimate - row.references[j] } else { f64::NAN }, zoom);
+            if let Some((reference, error)) = &mut quantity.reference {
+                let difference = quantity.answer.error(estimate, row.references[quantity.field]);
+                let known = row.references[quantity.field];
+                reference.push(t, if turns.is_empty() { known } else { estimate - difference }, zoom);
+                error.push(t, if converged { difference } else { f64::NAN }, zoom);
             }
         }
     }
@@ -96,21 +113,13 @@ impl Curves {
         let title = if plant.title.is_empty() { plant.name.clone() } else { plant.title.clone() };
         let start = self.start.unwrap_or(0.0);
         let first = format!("the first {} s", short(self.zoom_s));
-        let panels = self.states.iter().enumerate().flat_map(|(j, state)| self.panels(generated, replay, j, state));
+        let panels = self.quantities.iter().flat_map(|quantity| self.panels(generated, replay, quantity));
         Figure {
-            description: format!(
-                "{title}. Estimate by {}: {}.",
-                generated.design.method,
-                self.sentence(generated, replay)
-            ),
-            subtitle: format!(
-                "{}: {}\n{}",
-                generated.design.method,
-                generated.design.summary,
-                self.sentence(generated, replay)
-            ),
+            description: format!("{title}. Estimate by {}: {}.", generated.design.method, self.sentence(replay)),
+            subtitle: format!("{}: {}\n{}", generated.design.method, generated.design.summary, self.sentence(replay)),
             title,
             x_label: "time [s]".into(),
+            legend: Vec::new(),
             columns: vec![
                 Column { title: "the whole recording".into(), x_range: None },
                 Column { title: first, x_range: Some((start, start + self.zoom_s)) },
@@ -120,13 +129,13 @@ impl Curves {
     }
 
     /// The errors in words.
-    fn sentence(&self, generated: &Generated, replay: &Replay) -> String {
-        let named = generated.plant.states.iter().zip(&replay.errors).zip(&self.states);
-        let errors: Vec<(u64, String)> = named
-            .filter(|(_, state)| state.reference.is_some())
-            .map(|((state, errors), _)| {
+    fn sentence(&self, replay: &Replay) -> String {
+        let compared = self.quantities.iter().filter(|quantity| quantity.reference.is_some());
+        let errors: Vec<(u64, String)> = compared
+            .map(|Quantity { field, answer, .. }| {
+                let errors = &replay.errors[*field];
                 let (rms, max) = errors.shown();
-                (errors.rows, format!("{} {rms} RMS, {max} maximum {}", state.label.name, state.label.unit))
+                (errors.rows, format!("{} {rms} RMS, {max} maximum {}", answer.name, answer.unit))
             })
             .collect();
         let Some((rows, _)) = errors.first() else {
@@ -142,37 +151,37 @@ impl Curves {
     }
 
     /// One panel for the quantity and, with a reference, one for the error.
-    fn panels(&self, generated: &Generated, replay: &Replay, j: usize, state: &State) -> Vec<Panel> {
-        let label = &generated.plant.states[j].label;
+    fn panels(&self, generated: &Generated, replay: &Replay, quantity: &Quantity) -> Vec<Panel> {
+        let label = &quantity.answer;
         let unit = if label.unit.is_empty() { String::new() } else { format!(" [{}]", label.unit) };
         let converged =
             self.start.unwrap_or(0.0) + seconds(generated.design.valid_from_step, generated.plant.sample_time_s());
         let marker = || Marker { x: converged, label: format!("converged, {} s", short(converged)) };
-        let quantity = |whole: bool| {
+        let shown = |whole: bool| {
             let pick = |line: &Line| if whole { line.whole.points() } else { line.beginning.points() };
             let mut curves = Vec::new();
-            if let Some((output, line)) = &state.measured {
-                let name = format!("measured {}", generated.plant.outputs[*output].label.name);
+            if let Some((measured, line)) = &quantity.measured {
+                let name = format!("measured {}", generated.plant.outputs[measured.output].label.name);
                 curves.push(Curve { label: name, role: Role::Measured, points: pick(line) });
             }
-            if let Some((reference, _)) = &state.reference {
+            if let Some((reference, _)) = &quantity.reference {
                 curves.push(Curve { label: "reference".into(), role: Role::Reference, points: pick(reference) });
             }
-            curves.push(Curve { label: "estimate".into(), role: Role::Estimate, points: pick(&state.estimate) });
+            curves.push(Curve { label: "estimate".into(), role: Role::Estimate, points: pick(&quantity.estimate) });
             Cell { curves, marker: (!whole).then(marker), band: None }
         };
         let mut panels = vec![Panel {
             y_label: format!("{}{unit}", label.name),
             title: label.doc.clone(),
-            cells: vec![quantity(true), quantity(false)],
+            cells: vec![shown(true), shown(false)],
         }];
-        if let Some((_, error)) = &state.reference {
+        if let Some((_, error)) = &quantity.reference {
             let cell = |line: &Thin| Cell {
                 curves: vec![Curve { label: "error".into(), role: Role::Error, points: line.points() }],
                 marker: None,
                 band: None,
             };
-            let (rms, max) = replay.errors[j].shown();
+            let (rms, max) = replay.errors[quantity.field].shown();
             panels.push(Panel {
                 y_label: format!("error of {}{unit}", label.name),
                 title: format!("{rms} RMS, {max} maximum"),
@@ -181,4 +190,18 @@ impl Curves {
         }
         panels
     }
+}
+
+/// The field of the measurements that is one state, alone and as it is.
+fn measured(plant: &Plant, interface: &Interface, state: usize) -> Option<Measured> {
+    let row = |output: usize| &plant.c[output];
+    let alone = |output: usize| row(output).iter().enumerate().all(|(k, c)| c.is_zero() == (k != state));
+    let unit = |output: usize| row(output)[state].as_rational().is_some_and(|c| c == Rational::ONE);
+    interface.measurements.iter().enumerate().find_map(|(field, measured)| match measured.kind {
+        MeasuredKind::Sample { output, .. } if alone(output) && unit(output) => {
+            let quantum = plant.outputs[output].quantum.as_ref().filter(|_| measured.kind.is_count());
+            Some(Measured { field, output, scale: quantum.map_or(1.0, number) })
+        }
+        _ => None,
+    })
 }

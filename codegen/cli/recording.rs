@@ -222,6 +222,17 @@ impl<R: Read> Recording<R> {
 
 /// The errors, one function each.
 impl<R> Recording<R> {
+    /// What is wrong with a selected cell of the row that was read last.
+    pub fn complaint(&self, column: &str, message: String, help: &str) -> RecordingError {
+        RecordingError {
+            name: self.name.clone(),
+            line: Some(self.row.line),
+            column: Some(column.to_owned()),
+            message,
+            help: Some(help.to_owned()),
+        }
+    }
+
     fn error(&self, line: Option<u64>, column: Option<usize>, message: String, help: Option<String>) -> RecordingError {
         let column = column.map(|index| self.columns[index].clone());
         RecordingError { name: self.name.clone(), line, column, message, help }

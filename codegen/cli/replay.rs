@@ -4,10 +4,14 @@
 //! therefore gets the held inputs of the row before and the first-order inputs of this one. Where
 //! the recording's time jumps over samples, the step is told that they are missing.
 
+use std::fmt::Write as _;
+
 use deadbeat_codegen::describe::short;
 use deadbeat_codegen::plant::{Hold, Plant};
 use deadbeat_codegen::program::interp::Interpreter;
 use deadbeat_codegen::program::{Program, Status};
+
+use super::interface::{Count, Interface, MeasuredKind, fold};
 
 /// Errors of one compared state after convergence.
 #[derive(Clone, Debug, Default)]
@@ -44,11 +48,11 @@ impl Errors {
 pub struct Row {
     /// s; absent when the recording has no time.
     pub t: Option<f64>,
-    /// Per output; NaN when missing.
-    pub outputs: Vec<f64>,
+    /// Per field of the measurements; NaN when missing.
+    pub measurements: Vec<f64>,
     /// Per input; NaN when missing.
     pub inputs: Vec<f64>,
-    /// Per state; NaN when it is not compared, or not known.
+    /// Per field of the estimate; NaN when it is not compared, or not known.
     pub references: Vec<f64>,
 }
 
@@ -57,7 +61,7 @@ pub struct Row {
 pub struct Sample {
     /// s since the first row, or the recording's own time.
     pub t: f64,
-    /// Per state.
+    /// Per field.
     pub estimate: Vec<f64>,
     /// Of the estimate.
     pub status: Status,
@@ -66,6 +70,7 @@ pub struct Sample {
 /// A replay under way.
 pub struct Replay<'a> {
     plant: &'a Plant,
+    interface: &'a Interface,
     interpreter: Interpreter,
     held: Vec<f64>,
     previous: Option<Row>,
@@ -83,7 +88,7 @@ pub struct Replay<'a> {
     pub converged_from: Option<u64>,
     /// Samples that the recording's time left out.
     pub left_out: u64,
-    /// Per state.
+    /// Per field of the estimate.
     pub errors: Vec<Errors>,
 }
 
@@ -103,9 +108,10 @@ const RATE_HELP: &str = "help: set the specification's `sample_time` to the reco
 
 impl<'a> Replay<'a> {
     /// Starts with nothing seen.
-    pub fn new(plant: &'a Plant, program: &Program) -> Self {
+    pub fn new(plant: &'a Plant, interface: &'a Interface, program: &Program) -> Self {
         Self {
             plant,
+            interface,
             interpreter: Interpreter::new(program),
             held: vec![0.0; plant.inputs.len()],
             previous: None,
@@ -117,7 +123,7 @@ impl<'a> Replay<'a> {
             coasting_rows: 0,
             converged_from: None,
             left_out: 0,
-            errors: vec![Errors::default(); plant.states.len()],
+            errors: vec![Errors::default(); interface.answers.len()],
         }
     }
 
@@ -126,23 +132,42 @@ impl<'a> Replay<'a> {
         self.start.is_some()
     }
 
+    /// What the recording has that a report should not keep silent about, a line each.
+    pub fn remarks(&self, negative_ages: u64) -> String {
+        let mut text = String::new();
+        if !self.timed() {
+            let h = self.plant.sample_time_s();
+            let _ = writeln!(text, "the recording has no column `t`: its rows are taken to be {h} s apart");
+        }
+        if self.left_out > 0 {
+            let counts = self.interface.measurements.iter().any(|field| field.kind.is_count());
+            let what = if counts { "put on a straight line" } else { "treated as missing" };
+            let _ = writeln!(text, "{} samples that the recording's time leaves out were {what}", self.left_out);
+        }
+        if negative_ages > 0 {
+            let _ =
+                writeln!(text, "{negative_ages} samples were younger than the row they stand in: treated as missing");
+        }
+        text
+    }
+
     /// One row; an error says why its time does not fit.
     pub fn feed(&mut self, row: &Row) -> Result<Sample, String> {
         let gap = self.gap(row)?;
         self.check_rate(row, gap)?;
         let previous = self.previous.take();
-        let mut estimate = vec![0.0; self.plant.states.len()];
+        let mut estimate = vec![0.0; self.interface.answers.len()];
         if let Some(previous) = &previous {
             for missing in 1..gap {
                 let inputs = self.inputs(previous, row, missing, gap);
-                let nothing = vec![f64::NAN; self.plant.outputs.len()];
+                let nothing = self.between(previous, row, missing, gap);
                 self.interpreter.step(&nothing, &inputs, &mut estimate);
                 self.steps += 1;
                 self.left_out += 1;
             }
         }
         let inputs = self.inputs(previous.as_ref().unwrap_or(row), row, gap, gap);
-        let status = self.interpreter.step(&row.outputs, &inputs, &mut estimate);
+        let status = self.interpreter.step(&row.measurements, &inputs, &mut estimate);
         self.compare(row, &estimate, status);
         let t = row.t.unwrap_or_else(|| self.now());
         self.steps += 1;
@@ -164,11 +189,24 @@ impl<'a> Replay<'a> {
         self.converged_rows += 1;
         self.coasting_rows += u64::from(status == Status::Coasting);
         self.converged_from = self.converged_from.or(Some(self.steps + 1));
-        for ((errors, reference), estimate) in self.errors.iter_mut().zip(&row.references).zip(estimate) {
+        let fields = self.interface.answers.iter().zip(estimate).zip(&row.references);
+        for (errors, ((answer, estimate), reference)) in self.errors.iter_mut().zip(fields) {
             if reference.is_finite() {
-                errors.add(estimate - reference);
+                errors.add(answer.error(*estimate, *reference));
             }
         }
+    }
+
+    /// Measurements for the step that is `step` of `gap` samples behind the previous row.
+    #[expect(clippy::cast_precision_loss, reason = "a gap is below 10^6")]
+    fn between(&self, previous: &Row, row: &Row, step: u64, gap: u64) -> Vec<f64> {
+        let share = step as f64 / gap as f64;
+        let ends = previous.measurements.iter().zip(&row.measurements);
+        let value = |(field, (from, to)): (&_, (&f64, &f64))| match field {
+            MeasuredKind::Sample { count: Some(count), .. } => on_line(*count, *from, *to, share),
+            MeasuredKind::Sample { count: None, .. } | MeasuredKind::Age { .. } => f64::NAN,
+        };
+        self.interface.measurements.iter().map(|field| &field.kind).zip(ends).map(value).collect()
     }
 
     /// Inputs for the step that is `step` of `gap` samples behind the previous row.
@@ -229,5 +267,17 @@ impl<'a> Replay<'a> {
             "samples are {spacing:.6} s apart in the mean of {steps} since the first row, \
              the specification's sample time is {h} s\n{RATE_HELP}"
         ))
+    }
+}
+
+/// The count at a share of the way from one count to another, the shorter way round.
+fn on_line(count: Count, from: f64, to: f64, share: f64) -> f64 {
+    let (least, most) = count.range();
+    let turn = count.turn();
+    let between = (from + share * fold(to - from, &[turn])).round();
+    match between {
+        below if below < least => below + turn,
+        above if above > most => above - turn,
+        within => within,
     }
 }

@@ -9,15 +9,22 @@
 //! **Missing samples.** Without a good sample nothing is corrected, and the countdown waits: the deadline moves by the
 //! calls without one. The estimate is `Coasting` until so many good calls in a row that what is left of any error is
 //! what the first convergence left. A prediction outside the output's range starts the observer again, and so does a
-//! state beyond the floats' guard. Under the sliding law an innovation that is not explained
+//! state beyond the floats' guard.
+//!
+//! **Turns and gates.** See [`turn`] and [`gate`].
+//!
+//! **Sliding.** Under the sliding law an innovation that is not explained
 //! makes both counts begin again, and one wider than the output's range starts the observer again.
 
 mod gain;
+mod gate;
 mod known;
+mod turn;
 
 use crate::ahead::Ahead;
 use crate::design::Settled;
 use crate::diagnostic::Diagnostic;
+use crate::front;
 use crate::plant::Plant;
 use crate::program::builder::Builder;
 use crate::program::{CellId, Program, Status, Value};
@@ -66,6 +73,10 @@ struct Cells {
     inputs: Vec<CellId>,
     /// Calls since init.
     calls: CellId,
+    /// Per output: samples rejected in a row, where they are looked at.
+    rejected: Vec<Option<CellId>>,
+    /// Calls since the newest accepted sample.
+    coasted: CellId,
 }
 
 impl Cells {
@@ -100,7 +111,9 @@ impl Cells {
             .map(|input| b.float_cell(&format!("last_{}", input.label.name), "the last good value", 0.0))
             .collect();
         let calls = b.index_cell("calls", "calls since init", 0);
-        Self { state, left, good, clean, outputs, signals, inputs, calls }
+        let rejected = gate::cells(b, plant, design);
+        let coasted = b.index_cell("coasted", "calls since the newest accepted sample", 0);
+        Self { state, left, good, clean, outputs, signals, inputs, calls, rejected, coasted }
     }
 }
 
@@ -137,6 +150,8 @@ struct Predicted {
     measured: Value,
     /// Whether everything was good.
     fine: Value,
+    /// Whether a sample was rejected for the last time: the observer starts again with it.
+    jumped: Value,
     /// z-, n.
     state: Vec<Value>,
     /// Per input: what was used.
@@ -151,6 +166,7 @@ impl Lowering<'_> {
         let (corrections, left) = self.correct(&innovation, predicted.measured);
         let corrected: Vec<Value> =
             predicted.state.iter().zip(corrections).map(|(x, more)| self.builder.add(*x, more)).collect();
+        let corrected = self.turned_back(corrected);
         self.builder.section("the first sample starts the observer; so does a state beyond all bounds");
         let again = self.starts_again(&innovation, &corrected, lost);
         let state = self.store(&predicted, &corrected, (again, left));
@@ -183,20 +199,30 @@ impl Lowering<'_> {
         rows.collect()
     }
 
-    /// y - C z-, and 0 where there is no sample; per output. And whether a missing one is not to be predicted.
+    /// y - C z-, within half a turn, and 0 where there is no sample; per output. And whether the state is not to be carried
+    /// on: a missing sample is not to be predicted, the state turns too fast to be seen, or the samples have jumped.
     fn innovation(&mut self, predicted: &Predicted) -> (Vec<Value>, Value) {
-        let design = self.design;
-        let shown = match design.frame {
-            Frame::Plant { .. } => self.products(&design.output, &predicted.state),
-            Frame::Chain { .. } => vec![predicted.state[0]],
-        };
+        let shown = self.shown(&predicted.state);
         let lost = self.lost(predicted, &shown);
+        let spun = self.spun(&shown);
+        let lost = self.builder.or(lost, spun);
+        let lost = self.builder.or(lost, predicted.jumped);
         let none = self.builder.float(0.0);
         let each = shown.iter().enumerate().map(|(o, shown)| {
             let difference = self.builder.sub(predicted.outputs[o], *shown);
+            let difference = front::folded(&mut self.builder, &self.plant.outputs[o], difference, self.plant.scalar);
             self.builder.select(predicted.good[o], difference, none)
         });
         (each.collect(), lost)
+    }
+
+    /// C z, per output.
+    fn shown(&mut self, state: &[Value]) -> Vec<Value> {
+        let design = self.design;
+        match design.frame {
+            Frame::Plant { .. } => self.products(&design.output, state),
+            Frame::Chain { .. } => vec![state[0]],
+        }
     }
 
     /// Whether a sample is missing whose prediction no sample could be.
@@ -294,6 +320,7 @@ impl Lowering<'_> {
         let calls = self.builder.read(self.cells.calls);
         let calls = self.builder.count_up(calls, u32::MAX);
         self.builder.set(self.cells.calls, calls);
+        self.count_coasted(predicted);
         [good, clean]
     }
 
@@ -331,6 +358,11 @@ impl Lowering<'_> {
         }
         for (state, value) in self.plant.states.iter().zip(estimate) {
             self.builder.estimate(field(&state.label.name, &state.label.unit, &state.label.doc), value);
+        }
+        if self.plant.coasted {
+            let coasted = self.builder.read(self.cells.coasted);
+            let doc = "calls since the newest accepted sample";
+            self.builder.estimate(field("coasted", "", doc), coasted);
         }
         let [converged, coasting, converging] =
             [Status::Converged, Status::Coasting, Status::Converging].map(|status| self.builder.status(status));

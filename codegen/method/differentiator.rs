@@ -19,7 +19,7 @@ use super::noise;
 use super::order::{self, Order};
 use super::prescribed_time::{exactly, filter, promised, refuse_delays, summary, weak};
 use super::window::{constants, refuse_unknowns, resolution_warnings, verdict};
-use super::{Keyed, Method, Moment};
+use super::{Cannot, Feature, Keyed, Method, Moment};
 use crate::corrector::After;
 use crate::corrector::design::{Promise, Request, build};
 use crate::corrector::exact::Law;
@@ -99,6 +99,10 @@ impl Keyed for Keys {
     fn observed(&self, mut plant: Plant) -> Result<Plant, Vec<Diagnostic>> {
         countdown::start(&mut plant, self.initial.as_ref())?;
         Ok(plant)
+    }
+
+    fn cannot(&self, feature: Feature, _plant: &Plant) -> Option<Cannot> {
+        crate::corrector::cannot(feature)
     }
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {

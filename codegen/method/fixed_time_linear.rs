@@ -15,7 +15,7 @@ use std::sync::Arc;
 use super::order::{self, Order};
 use super::prescribed_time::{refuse_delays, refuse_several_outputs};
 use super::window::{constants, refuse_unknowns, resolution_warnings, time_warning, verdict};
-use super::{Keyed, Method};
+use super::{Cannot, Feature, Keyed, Method};
 use crate::corrector::Counting;
 use crate::corrector::design::{Promise, Request, build};
 use crate::corrector::exact::Law;
@@ -53,6 +53,10 @@ fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
 impl Keyed for Keys {
     fn chain(&self) -> Option<usize> {
         self.order.order
+    }
+
+    fn cannot(&self, feature: Feature, _plant: &Plant) -> Option<Cannot> {
+        crate::corrector::cannot(feature)
     }
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {

@@ -17,7 +17,7 @@ use std::sync::Arc;
 use super::constant::{Asked, Outputs, design, refuse};
 use super::countdown::listed;
 use super::poles::{self, Exact, Poles};
-use super::{Keyed, Method};
+use super::{Cannot, Feature, Keyed, Method};
 use crate::corrector::exact::Law;
 use crate::corrector::placement::{Pole, polynomial};
 use crate::decimal::show;
@@ -100,6 +100,10 @@ enum Numbers {
 }
 
 impl Keyed for Keys {
+    fn cannot(&self, feature: Feature, _plant: &Plant) -> Option<Cannot> {
+        crate::corrector::cannot(feature)
+    }
+
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {
         let mut found = refuse(plant, METHOD.name, Outputs::One);
         let gain = plant.constant(&self.gain, &mut found);

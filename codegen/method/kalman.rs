@@ -13,7 +13,7 @@ use std::sync::Arc;
 
 use super::constant::{Asked, Outputs, design, refuse};
 use super::noise;
-use super::{Keyed, Method};
+use super::{Cannot, Feature, Keyed, Method};
 use crate::corrector::exact::{Exact, Law};
 use crate::corrector::riccati::{Steady, steady};
 use crate::decimal::show;
@@ -52,6 +52,10 @@ fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
 const RESIDUAL: f64 = 1e-30;
 
 impl Keyed for Keys {
+    fn cannot(&self, feature: Feature, _plant: &Plant) -> Option<Cannot> {
+        crate::corrector::cannot(feature)
+    }
+
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {
         let mut found = refuse(plant, METHOD.name, Outputs::Any);
         let noise = self.noise.check(plant, &mut found);

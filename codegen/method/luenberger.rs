@@ -13,7 +13,7 @@ use std::sync::Arc;
 
 use super::constant::{Asked, Outputs, design, refuse};
 use super::poles::{self, Exact, Poles};
-use super::{Keyed, Method};
+use super::{Cannot, Feature, Keyed, Method};
 use crate::corrector::exact::Law;
 use crate::corrector::placement::{Failure, Pole, gain, polynomial};
 use crate::decimal::show;
@@ -53,6 +53,10 @@ fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
 }
 
 impl Keyed for Keys {
+    fn cannot(&self, feature: Feature, _plant: &Plant) -> Option<Cannot> {
+        crate::corrector::cannot(feature)
+    }
+
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {
         let mut found = refuse(plant, METHOD.name, Outputs::One);
         let poles = self.poles.check(plant, &mut found);

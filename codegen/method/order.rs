@@ -31,18 +31,22 @@ pub struct Order {
     pub euler: bool,
 }
 
+/// Reads `order` alone; `None` where it is missing or wrong.
+pub fn order(table: &mut Table, orders: RangeInclusive<usize>) -> Option<usize> {
+    let (number, span) = table.whole("order")?;
+    let order = usize::try_from(number.numerator().clone()).ok().filter(|order| orders.contains(order));
+    if order.is_none() {
+        let message = format!("`order` must be from {} to {}", orders.start(), orders.end());
+        let error = Diagnostic::error(codes::BAD_NUMBER, span, message).measured(number.to_f64().value());
+        table.report(error.help("the output and its first order - 1 derivatives are estimated"));
+    }
+    order
+}
+
 /// Reads both keys; a mistake gives `None`.
 pub fn read(table: &mut Table, orders: RangeInclusive<usize>) -> Option<Order> {
     let given = table.has("order");
-    let order = table.whole("order").and_then(|(number, span)| {
-        let order = usize::try_from(number.numerator().clone()).ok().filter(|order| orders.contains(order));
-        if order.is_none() {
-            let message = format!("`order` must be from {} to {}", orders.start(), orders.end());
-            let error = Diagnostic::error(codes::BAD_NUMBER, span, message).measured(number.to_f64().value());
-            table.report(error.help("the output and its first order - 1 derivatives are estimated"));
-        }
-        order
-    });
+    let order = order(table, orders);
     let span = table.key_span("prediction");
     let predicted = table.has("prediction");
     let euler = table.choice("prediction", &[("exact", false), ("implicit-euler", true)], false);

@@ -19,7 +19,7 @@ use std::sync::Arc;
 use super::countdown::{self, Countdown};
 use super::noise;
 use super::window::{constants, refuse_unknowns, resolution_warnings, time_warning, verdict};
-use super::{Keyed, Method, Moment};
+use super::{Cannot, Feature, Keyed, Method, Moment};
 use crate::corrector::chain::Chain;
 use crate::corrector::design::{Built, Promise, Request, build};
 use crate::corrector::exact::Law;
@@ -130,6 +130,10 @@ impl Keyed for Keys {
     fn observed(&self, mut plant: Plant) -> Result<Plant, Vec<Diagnostic>> {
         countdown::start(&mut plant, self.initial.as_ref())?;
         Ok(plant)
+    }
+
+    fn cannot(&self, feature: Feature, _plant: &Plant) -> Option<Cannot> {
+        crate::corrector::cannot(feature)
     }
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {

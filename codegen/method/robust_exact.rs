@@ -18,7 +18,7 @@ use std::sync::Arc;
 use super::order::{self, Order};
 use super::prescribed_time::{refuse_delays, refuse_several_outputs};
 use super::window::{constants, refuse_unknowns, resolution_warnings, time_warning, verdict};
-use super::{Keyed, Method};
+use super::{Cannot, Feature, Keyed, Method};
 use crate::corrector::design::{Built, Promise, Request, build, no_chain};
 use crate::corrector::exact::Law;
 use crate::corrector::sliding::{Backward, ExactSliding, ORDERS, Sliding};
@@ -89,6 +89,10 @@ impl Keyed for Keys {
             plant.disturbances.push(Disturbance { label, bound: lipschitz, column: column.collect() });
         }
         Ok(plant)
+    }
+
+    fn cannot(&self, feature: Feature, _plant: &Plant) -> Option<Cannot> {
+        crate::corrector::cannot(feature)
     }
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {

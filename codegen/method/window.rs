@@ -19,11 +19,14 @@
 //! An injection that depends on a held input is evaluated at both ends of each interval with that
 //! interval's input, so that a jump of the input costs nothing.
 
+mod several;
+
 use std::ops::Range;
 use std::sync::Arc;
 
-use super::{Keyed, Method};
+use super::{Cannot, Feature, Keyed, Method, NOT_YET};
 use crate::decimal::show;
+use crate::describe::short;
 use crate::design::{Convergence, Design, Fir, NamedMatrix, Shape};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::expr::List;
@@ -47,7 +50,7 @@ pub const METHOD: Method = Method {
     summary: "full-order least squares over the last N+1 samples, stateless",
     source: "Mazenc and Malisoff 2022 (parameters and states), (9), (19) without unknowns, made exact for samples",
     keys: &[
-        ("window", "s", "length of the window, a whole number of samples; the estimate has converged after it"),
+        ("window", "s | [s, …]", "length of the window, a whole number of samples: the deadline; several, rising"),
         ("hold", "\"first\" | \"third\"", "how nonlinear terms run between samples: order 2 (default) or 4"),
         (
             "weights",
@@ -64,7 +67,8 @@ pub const METHOD: Method = Method {
 /// The method's keys.
 #[derive(Clone, Debug)]
 struct Keys {
-    window: Quantity,
+    /// One, or several, rising.
+    windows: Vec<Quantity>,
     weighting: Weighting,
     hold: (Between, Range<usize>),
     wanted: Wanted,
@@ -79,8 +83,8 @@ enum Weighting {
 }
 
 fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
-    let window = table.quantity("window");
-    if window.is_none() && !table.has("window") {
+    let windows = several::read(table);
+    if windows.is_none() && !table.has("window") {
         table.missing(
             "window",
             "write `window = …`, the length in seconds; the deadline by which the estimate is exact",
@@ -91,7 +95,7 @@ fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
     let hold = read_hold(table);
     let wanted_span = table.key_span("realization");
     let wanted = table.choice("realization", &WORDS, Wanted::Auto);
-    Some(Arc::new(Keys { window: window?, weighting, hold, wanted, wanted_span }))
+    Some(Arc::new(Keys { windows: windows?, weighting, hold, wanted, wanted_span }))
 }
 
 /// Bits at which observability is judged; a tolerance of half of them is far from any rounding.
@@ -100,14 +104,21 @@ pub(super) const VERDICT_BITS: usize = 256;
 const VERDICTS: [usize; 3] = [VERDICT_BITS, 1_024, 4_096];
 
 impl Keyed for Keys {
+    fn cannot(&self, feature: Feature, _plant: &Plant) -> Option<Cannot> {
+        match feature {
+            Feature::Wrap | Feature::Gate | Feature::Ahead => None,
+            _ => Some(NOT_YET),
+        }
+    }
+
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {
         let mut found = refuse_unknowns(plant, METHOD.name);
-        let steps = window_steps(plant, &self.window, &mut found);
+        let all = several::steps(plant, &self.windows, &mut found);
         let delays = delays(plant, &mut found);
-        let (Some(steps), Some(delays)) = (steps, delays) else { return Err(found) };
-        let span = self.window.span();
+        let (Some(all), Some(delays)) = (all, delays) else { return Err(found) };
+        let (steps, span) = (all[0], self.windows[0].span());
         refuse_long_delays(plant, &delays, steps, &span, &mut found);
-        refuse_much_work(plant, steps, &span, &mut found);
+        refuse_much_work(plant, all.iter().sum(), &span, &mut found);
         let signals = signals_between(plant, self.hold.0);
         check_hold(plant, &signals, &self.hold, steps, &mut found);
         if !found.is_empty() {
@@ -115,16 +126,22 @@ impl Keyed for Keys {
         }
         let condition = verdict(plant, &delays, steps, &span)?;
         let choice = self.choice(plant, &delays, steps)?;
-        let (functional, exact, mut numerics) = settle(plant, &signals, &delays, steps, &choice)?;
+        let (mut functional, exact, mut numerics) = settle(plant, &signals, &delays, steps, &choice)?;
         numerics.condition = condition;
+        for (steps, window) in all.iter().zip(&self.windows).skip(1) {
+            verdict(plant, &delays, *steps, &window.span())?;
+            let choice = self.choice(plant, &delays, *steps)?;
+            functional.longer.push(several::longer(plant, &signals, &delays, *steps, &choice)?);
+        }
         let form = self.form(&delays);
         let (wanted, span) = (self.wanted, self.wanted_span.clone());
         let Realized { functional, certificate, name, realizations, notes } =
             realize(plant, Request { functional, exact: &exact, form, wanted, span })?;
+        let notes = notes.into_iter().chain(several::note(&all)).chain(sensor_notes(plant, steps)).collect();
         Ok(Design {
             method: METHOD.name,
             realization: name,
-            summary: self.summary(plant, steps, &functional.way),
+            summary: self.summary(plant, &all, &functional.way),
             window_steps: steps,
             valid_from_step: steps,
             convergence: Convergence::Finite,
@@ -161,12 +178,15 @@ impl Keys {
         Ok(Choice::Rows(best_rows(&trusted(&rows, &trust), &model.phi.powi(steps as u64))))
     }
 
-    fn summary(&self, plant: &Plant, steps: usize, way: &Way) -> String {
-        let h = plant.sample_time_s();
+    fn summary(&self, plant: &Plant, all: &[usize], way: &Way) -> String {
+        let (h, steps) = (plant.sample_time_s(), all[0]);
         let what = match self.weighting {
             Weighting::Equal => "least squares",
             Weighting::Minimax => "smallest worst-case noise gain",
         };
+        if all.len() > 1 {
+            return format!("{what} over the last {} at {h} s, stateless", several::lengths(all, h));
+        }
         let (samples, seconds) = (steps + 1, trimmed(seconds(steps, h)));
         match way {
             Way::Fir => format!("{what} over the last {samples} samples ({seconds} s at {h} s), stateless"),
@@ -174,6 +194,26 @@ impl Keys {
             _ => format!("{what} over the last {samples} samples ({seconds} s at {h} s)"),
         }
     }
+}
+
+/// What the header says of outputs that wrap, and of those with a gate.
+pub(super) fn sensor_notes(plant: &Plant, steps: usize) -> Vec<String> {
+    let number = |constant: &crate::expr::Constant| short(constant.to_f64().unwrap_or(f64::NAN));
+    let mut notes = Vec::new();
+    for output in &plant.outputs {
+        let (name, unit) = (&output.label.name, &output.label.unit);
+        let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
+        if let Some(wrap) = &output.wrap {
+            let turn = number(&wrap.turn);
+            notes.push(format!("{name} wraps every {turn}{unit}: sums are of differences to the newest sample"));
+        }
+        if let Some(gate) = &output.gate {
+            let (size, limit) = (number(&gate.size), gate.limit.map_or(steps, |limit| limit as usize));
+            notes.push(format!("once converged, {name} further than {size}{unit} from its prediction is missing;"));
+            notes.push(format!("after {limit} such samples in a row the observer starts again with the last of them"));
+        }
+    }
+    notes
 }
 
 /// How nonlinear terms run between samples, with the key's place.

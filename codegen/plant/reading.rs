@@ -5,6 +5,7 @@ use std::ops::Range;
 
 use crate::decimal;
 use crate::diagnostic::{Diagnostic, codes};
+use crate::expr::poly::PolyError;
 use crate::expr::{Constant, Meaning, Node, Poly, Symbol};
 use crate::spec::{self, Hold, Named, Quantity, Spec, Text};
 
@@ -294,10 +295,13 @@ impl<'a> Reading<'a> {
         let range_span = output.range.as_ref().map_or_else(|| output.named.name.span.clone(), |(_, span)| span.clone());
         let equation = output.value.as_ref().map(one_line).unwrap_or_default();
         let sensor = self.sensor(output, sample_time, jitter)?;
-        let noise = sensor.noise(noise?, jitter).ok()?;
+        let parts = self.fits(sensor.noise(noise?, jitter), output)?;
+        let sum = parts.iter().try_fold(Constant::default(), |sum, (_, part)| sum.plus(part));
+        let noise = self.fits(sum, output)?;
         let counter = sensor.counter.as_ref().map(|(counter, _)| *counter);
         let read = Output {
-            noise,
+            noise: (!parts.is_empty()).then_some(noise),
+            noise_parts: if parts.len() > 1 { parts } else { Vec::new() },
             delay,
             range: range?,
             range_span,
@@ -313,6 +317,16 @@ impl<'a> Reading<'a> {
             ..plain_output(label(&output.named))
         };
         Some((read, sensor))
+    }
+
+    /// The result of an exact computation, unless it is too large.
+    fn fits<T>(&mut self, result: Result<T, PolyError>, output: &spec::Output) -> Option<T> {
+        if result.is_err() {
+            let message = format!("the numbers of `{}` are too long to compute with", output.named.name.value);
+            let error = Diagnostic::error(codes::TOO_LARGE, output.named.name.span.clone(), message);
+            self.found.push(error.help("write fewer digits"));
+        }
+        result.ok()
     }
 
     fn range(&mut self, output: &spec::Output) -> Option<Option<(Constant, Constant)>> {
@@ -588,6 +602,7 @@ fn plain_output(label: Label) -> Output {
     Output {
         label,
         noise: None,
+        noise_parts: Vec::new(),
         delay: None,
         range: None,
         raw_range: None,

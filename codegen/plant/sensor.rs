@@ -64,20 +64,18 @@ impl Sensor {
         Self { every: 1, ..Self::default() }
     }
 
-    /// What the measurement may be off by: the declared noise, half a count, and what the output moves in the jitter.
+    /// What the measurement may be off by: the declared noise, half a count, and what the output moves in the jitter; as far
+    /// as there is each.
     pub(super) fn noise(
         &self,
         declared: Option<Constant>,
         jitter: Option<&Constant>,
-    ) -> Result<Option<Constant>, PolyError> {
+    ) -> Result<Vec<(&'static str, Constant)>, PolyError> {
         let count = self.quantum.as_ref().map(half).transpose()?;
         let moved = if self.aged.is_some() { None } else { self.max_rate.as_ref().zip(jitter) };
         let moved = moved.map(|(rate, jitter)| rate.times(jitter)).transpose()?;
-        let parts = [count, moved].into_iter().flatten();
-        parts.fold(Ok(declared), |sum, part| match sum? {
-            None => Ok(Some(part)),
-            Some(sum) => sum.plus(&part).map(Some),
-        })
+        let parts = [("declared", declared), ("half a count", count), ("jitter", moved)];
+        Ok(parts.into_iter().filter_map(|(what, part)| Some((what, part?))).collect())
     }
 }
 

@@ -113,7 +113,8 @@ impl Subject {
     /// Measurements that are inside their range.
     pub fn measured(&self) -> Vec<Span> {
         let number = |it: &deadbeat_codegen::expr::Constant| it.to_f64().expect("a range of numbers");
-        let span = |output: &deadbeat_codegen::plant::Output| match &output.range {
+        let span = |output: &deadbeat_codegen::plant::Output| match output.raw_range.as_ref().or(output.range.as_ref())
+        {
             Some((low, high)) => {
                 let (low, high) = (number(low), number(high));
                 Span { centre: f64::midpoint(low, high), amplitude: power_of_two_below(0.45 * (high - low)).min(16.0) }

@@ -145,8 +145,8 @@ pub enum Hold {
 /// x' or x+ as a function of t, x, u.
 pub type Change = Box<dyn Fn(f64, &[f64], &[f64]) -> Vec<f64>>;
 
-/// y as a function of x.
-pub type Show = Box<dyn Fn(&[f64]) -> Vec<f64>>;
+/// y as a function of x, and of the inputs until then.
+pub type Show = Box<dyn Fn(&[f64], &[f64]) -> Vec<f64>>;
 
 /// A plant as a person would write it down.
 pub struct Truth {
@@ -222,13 +222,8 @@ impl Truth {
             });
             run.inputs.push(applied.collect());
             run.states.push(x.clone());
-            let outputs: Vec<Vec<f64>> = run
-                .states
-                .iter()
-                .rev()
-                .take(1 + delays.iter().max().unwrap_or(&0))
-                .map(|x| (self.outputs)(x))
-                .collect();
+            let past = run.states.iter().zip(&run.inputs).rev().take(1 + delays.iter().max().unwrap_or(&0));
+            let outputs: Vec<Vec<f64>> = past.map(|(x, u)| (self.outputs)(x, u)).collect();
             let sample = |o: usize| outputs.get(delays[o]).map_or(NOTHING_YET, |y| y[o]);
             run.measurements.push((0..delays.len()).map(sample).collect());
         }
@@ -254,7 +249,7 @@ impl Run {
         let mut interpreter = Interpreter::new(&generated.program);
         let mut answers = Answers { estimates: Vec::new(), statuses: Vec::new() };
         for (measurements, inputs) in self.measurements.iter().zip(&self.inputs) {
-            let mut estimate = vec![0.0; generated.plant.states.len()];
+            let mut estimate = vec![0.0; generated.program.estimates.len()];
             answers.statuses.push(interpreter.step(measurements, inputs, &mut estimate));
             answers.estimates.push(estimate);
         }
@@ -292,7 +287,7 @@ fn largest<'a>(rows: impl Iterator<Item = &'a Vec<f64>>) -> Vec<f64> {
 pub fn functional(generated: &Generated) -> &Functional {
     match &generated.design.shape {
         Shape::Window(functional) => functional,
-        Shape::Regression(_) | Shape::Impulsive(_) | Shape::Corrector(_) => {
+        Shape::Regression(_) | Shape::Impulsive(_) | Shape::Corrector(_) | Shape::Baseline(_) => {
             panic!("{} has no constant weights", generated.plant.name)
         }
     }
@@ -303,7 +298,7 @@ pub fn delays(generated: &Generated) -> Vec<usize> {
     match &generated.design.shape {
         Shape::Window(functional) => functional.delays.clone(),
         Shape::Regression(regression) => regression.carrier.delays.clone(),
-        Shape::Impulsive(_) | Shape::Corrector(_) => vec![0; generated.plant.outputs.len()],
+        Shape::Impulsive(_) | Shape::Corrector(_) | Shape::Baseline(_) => vec![0; generated.plant.outputs.len()],
     }
 }
 

@@ -10,14 +10,18 @@ use super::plant::{Hold, Truth, corpus};
 /// Every specification of the corpus whose truth is known.
 pub fn truth(name: &str) -> Option<Truth> {
     Some(match name {
+        "battery" => battery(),
         "dc_motor" | "motor_single_delay" | "motor_intermittent" | "motor_recursive" | "luenberger" => dc_motor(),
         "motor_continuous" => smooth_motor(),
         "differentiator" => integrators(&[2.0, 3.0, 5.0, 5.0]),
-        "differentiator_encoder" => integrators(&[0.5, 2.0, 5.0]),
+        "differentiator_encoder" | "three_windows" => integrators(&[0.5, 2.0, 5.0]),
         // A ramp, whose backward differences are its derivatives.
         "differentiator_euler" => {
             Truth { start: vec![(290.0, 310.0), (-0.05, 0.05), (0.0, 0.0)], ..integrators(&[0.0; 3]) }
         }
+        "pll" | "low_pass" | "adaptive_window" => integrators(&[2.0, 20.0]),
+        "alpha_beta" => integrators(&[100.0, 5.0]),
+        "alpha_beta_gamma" => integrators(&[0.1, 0.5, 2.0]),
         "drive_irregular" => drive_irregular(),
         "drive_prescribed" => drive_prescribed(),
         "fixed_time_linear" => shaker(),
@@ -34,7 +38,7 @@ pub fn truth(name: &str) -> Option<Truth> {
         "thermal_stack" => thermal_stack(),
         "two_mass_drive" => two_mass_drive(),
         "two_mass_kalman" => {
-            Truth { outputs: Box::new(|x| vec![x[0], x[1]]), delays: vec![0.0; 2], ..drive_prescribed() }
+            Truth { outputs: Box::new(|x, _| vec![x[0], x[1]]), delays: vec![0.0; 2], ..drive_prescribed() }
         }
         "unknown_discrete" => unknown_discrete(),
         "unknown_force" => unknown_force(),
@@ -60,13 +64,34 @@ pub fn names_of(method: &str) -> Vec<String> {
 }
 
 /// The methods that predict and correct.
-const CORRECTORS: [&str; 7] =
-    ["prescribed-time", "differentiator", "luenberger", "kalman", "high-gain", "fixed-time-linear", "robust-exact"];
+const CORRECTORS: [&str; 9] = [
+    "prescribed-time",
+    "differentiator",
+    "luenberger",
+    "kalman",
+    "high-gain",
+    "fixed-time-linear",
+    "robust-exact",
+    "pll",
+    "alpha-beta",
+];
+
+/// The methods that promise nothing: `tests/baselines_shipped.rs` says what they compute.
+const BASELINES: [&str; 2] = ["low-pass", "adaptive-window"];
 
 /// Whether a specification's method predicts and corrects.
 pub fn corrects(name: &str) -> bool {
+    uses(name, &CORRECTORS)
+}
+
+/// Whether a specification's method is a formula without a certificate.
+pub fn is_baseline(name: &str) -> bool {
+    uses(name, &BASELINES)
+}
+
+fn uses(name: &str, methods: &[&str]) -> bool {
     let of = |method: &&str| corpus(name).lines().any(|line| line.trim() == format!("[observer.{method}]"));
-    CORRECTORS.iter().any(of)
+    methods.iter().any(of)
 }
 
 fn dc_motor() -> Truth {
@@ -75,12 +100,25 @@ fn dc_motor() -> Truth {
         change: Box::new(|_, x, u| {
             vec![x[1], 15.0 * x[2] - 35.0 * x[0].sin() - x[1], 40.0 * u[0] - 36.4 * x[1] - 200.0 * x[2]]
         }),
-        outputs: Box::new(|x| vec![x[0]]),
+        outputs: Box::new(|x, _| vec![x[0]]),
         delays: vec![0.0],
         holds: vec![Hold::Zero],
         start: vec![(-2.0, 2.0), (-3.0, 3.0), (-1.0, 1.0)],
         input: vec![(-10.0, 10.0)],
         exact: false,
+    }
+}
+
+fn battery() -> Truth {
+    Truth {
+        discrete: false,
+        change: Box::new(|_, x, u| vec![-u[0] / (3600.0 * 2.9), u[0] / 2400.0 - x[1] / (0.015 * 2400.0)]),
+        outputs: Box::new(|x, u| vec![3.2 + 0.9 * x[0] - x[1] - 0.02 * u[0]]),
+        delays: vec![0.0],
+        holds: vec![Hold::Zero],
+        start: vec![(0.2, 0.9), (-0.02, 0.05)],
+        input: vec![(-3.0, 6.0)],
+        exact: true,
     }
 }
 
@@ -94,7 +132,7 @@ fn integrators(start: &[f64]) -> Truth {
     Truth {
         discrete: false,
         change: Box::new(|_, x, _| x[1..].iter().copied().chain([0.0]).collect()),
-        outputs: Box::new(|x| vec![x[0]]),
+        outputs: Box::new(|x, _| vec![x[0]]),
         delays: vec![0.0],
         holds: vec![],
         start: start.iter().map(|most| (-most, *most)).collect(),
@@ -107,7 +145,7 @@ fn drive_irregular() -> Truth {
     Truth {
         discrete: false,
         change: Box::new(|_, x, u| vec![x[1], 15.0 * x[2] - x[1], 40.0 * u[0] - 36.4 * x[1] - 200.0 * x[2]]),
-        outputs: Box::new(|x| vec![x[0]]),
+        outputs: Box::new(|x, _| vec![x[0]]),
         delays: vec![0.0],
         holds: vec![Hold::Zero],
         start: vec![(-2.0, 2.0), (-3.0, 3.0), (-1.0, 1.0)],
@@ -123,7 +161,7 @@ fn drive_prescribed() -> Truth {
             let shaft = 400.0 * (x[0] - x[1]) + 0.2 * (x[2] - x[3]);
             vec![x[2], x[3], (u[0] - shaft) / 0.01, shaft / 0.05]
         }),
-        outputs: Box::new(|x| vec![x[0]]),
+        outputs: Box::new(|x, _| vec![x[0]]),
         delays: vec![0.0],
         exact: true,
         ..two_mass_drive()
@@ -134,7 +172,7 @@ fn oscillator() -> Truth {
     Truth {
         discrete: false,
         change: Box::new(|_, x, u| vec![x[1], u[0] - 0.4 * x[1] - 25.0 * x[0]]),
-        outputs: Box::new(|x| vec![x[0]]),
+        outputs: Box::new(|x, _| vec![x[0]]),
         delays: vec![0.0],
         holds: vec![Hold::Zero],
         start: vec![(-0.5, 0.5), (-2.0, 2.0)],
@@ -148,7 +186,7 @@ fn shaker() -> Truth {
     Truth {
         discrete: false,
         change: Box::new(|_, x, u| vec![x[1], 40.0 * x[2] - 900.0 * x[0] - 3.0 * x[1], 25.0 * (u[0] - x[2])]),
-        outputs: Box::new(|x| vec![x[0]]),
+        outputs: Box::new(|x, _| vec![x[0]]),
         delays: vec![0.0],
         holds: vec![Hold::Zero],
         start: vec![(-0.01, 0.01), (-0.3, 0.3), (-0.5, 0.5)],
@@ -162,7 +200,7 @@ fn swinging() -> Truth {
     Truth {
         discrete: false,
         change: Box::new(|t, x, _| vec![x[1], x[2], 150.0 * (6.0 * t).sin() - 30.0 * x[1]]),
-        outputs: Box::new(|x| vec![x[0]]),
+        outputs: Box::new(|x, _| vec![x[0]]),
         delays: vec![0.0],
         holds: vec![],
         start: vec![(-0.5, 0.5), (-2.0, 2.0), (-5.0, 5.0)],
@@ -184,7 +222,7 @@ pub fn inverted_cart(ground: f64) -> Truth {
                 -0.4545 * dx + 31.1818 * angle + 4.5455 * force + ground * (2.0 * PI * 1.5 * t).sin(),
             ]
         }),
-        outputs: Box::new(|x| vec![x[0], x[1]]),
+        outputs: Box::new(|x, _| vec![x[0], x[1]]),
         delays: vec![0.0; 2],
         holds: vec![Hold::Zero],
         start: vec![(-0.1, 0.1), (-0.05, 0.05), (-0.2, 0.2), (-0.1, 0.1)],
@@ -206,7 +244,7 @@ pub fn late_position(friction: f64) -> Truth {
                 30.0 * (speed - wheel),
             ]
         }),
-        outputs: Box::new(|x| vec![x[0], x[3]]),
+        outputs: Box::new(|x, _| vec![x[0], x[3]]),
         delays: vec![0.04, 0.0],
         holds: vec![Hold::Zero],
         start: vec![(-5.0, 5.0), (-0.3, 0.3), (-0.5, 0.5), (-0.3, 0.3)],
@@ -219,7 +257,7 @@ fn long_window() -> Truth {
     Truth {
         discrete: false,
         change: Box::new(|_, x, u| vec![x[1], -9.81 / 6.0 * x[0].sin() - 0.05 * x[1] - u[0] / 6.0]),
-        outputs: Box::new(|x| vec![x[0]]),
+        outputs: Box::new(|x, _| vec![x[0]]),
         delays: vec![0.0],
         holds: vec![Hold::Zero],
         start: vec![(-0.3, 0.3), (-0.2, 0.2)],
@@ -232,7 +270,7 @@ fn small_memory() -> Truth {
     Truth {
         discrete: false,
         change: Box::new(|_, x, u| vec![x[1], u[0] / 2e-3 - 1.5 * x[1] - x[2], 0.0]),
-        outputs: Box::new(|x| vec![x[0]]),
+        outputs: Box::new(|x, _| vec![x[0]]),
         delays: vec![0.0],
         holds: vec![Hold::Zero],
         start: vec![(-3.0, 3.0), (-20.0, 20.0), (-50.0, 50.0)],
@@ -245,7 +283,7 @@ fn magnetic_levitation() -> Truth {
     Truth {
         discrete: false,
         change: Box::new(|_, x, u| vec![x[1], 9.81 - 6.53e-5 * u[0] * u[0] / (2.0 * 0.068 * x[0] * x[0])]),
-        outputs: Box::new(|x| vec![x[0]]),
+        outputs: Box::new(|x, _| vec![x[0]]),
         delays: vec![0.0],
         holds: vec![Hold::Zero],
         start: vec![(0.009, 0.011), (-0.05, 0.05)],
@@ -266,7 +304,7 @@ fn mass_chain() -> Truth {
     Truth {
         discrete: false,
         change: Box::new(move |_, x, u| a.iter().zip(&b).map(|(a, b)| dot(a, x) + dot(b, u)).collect()),
-        outputs: Box::new(move |x| c.iter().map(|row| dot(row, x)).collect()),
+        outputs: Box::new(move |x, _| c.iter().map(|row| dot(row, x)).collect()),
         delays: vec![0.0; 3],
         holds: vec![Hold::Zero],
         start: (0..n).map(|i| if i < 6 { (-0.1, 0.1) } else { (-1.0, 1.0) }).collect(),
@@ -292,7 +330,7 @@ fn pendulum() -> Truth {
     Truth {
         discrete: false,
         change: Box::new(|_, x, _| vec![x[1], 64.2189 * x[0].sin() - 0.067_227 * x[1]]),
-        outputs: Box::new(|x| vec![x[0]]),
+        outputs: Box::new(|x, _| vec![x[0]]),
         delays: vec![0.0],
         holds: vec![],
         start: vec![(0.5, 2.5), (-5.0, 5.0)],
@@ -306,7 +344,7 @@ fn pendulum_discrete() -> Truth {
     Truth {
         discrete: false,
         change: Box::new(|_, x, _| vec![x[1], -x[0].sin()]),
-        outputs: Box::new(|x| vec![x[0]]),
+        outputs: Box::new(|x, _| vec![x[0]]),
         delays: vec![0.0],
         holds: vec![],
         start: vec![(-2.0, 2.0), (-1.0, 1.0)],
@@ -326,7 +364,7 @@ fn thermal_stack() -> Truth {
                 0.2 * block + 0.8 * sensor,
             ]
         }),
-        outputs: Box::new(|x| vec![x[2]]),
+        outputs: Box::new(|x, _| vec![x[2]]),
         delays: vec![0.0],
         holds: vec![Hold::Zero; 2],
         start: vec![(10.0, 40.0); 3],
@@ -343,7 +381,7 @@ fn two_mass_drive() -> Truth {
             let shaft = 400.0 * (motor - load) + 0.2 * (motor_speed - load_speed);
             vec![motor_speed, load_speed, (u[0] - shaft) / 0.01, (shaft - 1.5 * load.sin()) / 0.05]
         }),
-        outputs: Box::new(|x| vec![x[0], x[1]]),
+        outputs: Box::new(|x, _| vec![x[0], x[1]]),
         delays: vec![0.0; 2],
         holds: vec![Hold::First],
         start: vec![(-0.5, 0.5), (-0.5, 0.5), (-10.0, 10.0), (-10.0, 10.0)],
@@ -366,7 +404,7 @@ fn unknown_force() -> Truth {
                 0.0,
             ]
         }),
-        outputs: Box::new(|x| vec![x[0], x[2]]),
+        outputs: Box::new(|x, _| vec![x[0], x[2]]),
         delays: vec![0.0; 2],
         holds: vec![Hold::Zero],
         start: vec![(-1.0, 1.0), (-3.0, 3.0), (-1.0, 1.0), (-20.0, 20.0), (-2.0, 2.0)],
@@ -388,7 +426,7 @@ fn unknown_force_network() -> Truth {
                 + weights[3] * (3.0 * t).sin();
             vec![x[1], -40.0 * position + u[0] + field, 0.0, 0.0, 0.0, 0.0]
         }),
-        outputs: Box::new(|x| vec![x[0]]),
+        outputs: Box::new(|x, _| vec![x[0]]),
         delays: vec![0.0],
         holds: vec![Hold::Zero],
         start: vec![(1.0, 1.5), (-1.0, 1.0), (-3.0, 3.0), (-3.0, 3.0), (-3.0, 3.0), (-3.0, 3.0)],
@@ -404,7 +442,7 @@ fn unknown_discrete() -> Truth {
             let (level, shown, leak) = (x[0], x[1], x[2]);
             vec![0.98 * level + 0.05 * u[0] - leak, 0.3 * level + 0.7 * shown, leak]
         }),
-        outputs: Box::new(|x| vec![x[1]]),
+        outputs: Box::new(|x, _| vec![x[1]]),
         delays: vec![0.0],
         holds: vec![Hold::Zero],
         start: vec![(0.5, 2.0), (0.5, 2.0), (0.0, 0.02)],

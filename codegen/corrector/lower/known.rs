@@ -27,14 +27,19 @@ impl Lowering<'_> {
         let known: Vec<Option<Value>> =
             (0..self.design.signals.len()).map(|s| self.known_before(s, &injections, &mut fine)).collect();
         let base = self.carried(&known);
-        let outputs = self.stand_ins(&samples, &good, &base, &known);
+        let guess = (!self.is_plain(&known)).then(|| self.guess(&base, &known));
+        let (good, measured, jumped) = match (self.gated(), &guess) {
+            (true, Some(guess)) => self.accepted(&samples, &good, guess),
+            _ => (good, measured, self.builder.boolean(false)),
+        };
+        let outputs = self.stand_ins(&samples, &good, guess.as_deref());
         let state = self.complete(base, &known, &outputs, &injections, &mut fine);
         for (cell, value) in self.cells.outputs.clone().into_iter().zip(&outputs) {
             self.builder.set(cell, *value);
         }
         fine.push(measured);
         let fine = all(&mut self.builder, &fine);
-        Predicted { outputs, good, measured, fine, state, inputs: injections.inputs }
+        Predicted { outputs, good, measured, fine, jumped, state, inputs: injections.inputs }
     }
 
     /// The inputs, with the last good value in place of a bad one; and which were good.
@@ -129,12 +134,14 @@ impl Lowering<'_> {
         next
     }
 
-    /// Per output, the sample or what the model predicts of it.
-    fn stand_ins(&mut self, samples: &[Value], good: &[Value], base: &[Value], known: &[Option<Value>]) -> Vec<Value> {
+    /// Whether nothing asks what a sample should be before it is looked at.
+    fn is_plain(&self, known: &[Option<Value>]) -> bool {
+        known.iter().all(Option::is_some) && !self.looks_back() && !self.gated()
+    }
+
+    /// What the model predicts of each output, with what is known before the samples.
+    fn guess(&mut self, base: &[Value], known: &[Option<Value>]) -> Vec<Value> {
         let design = self.design;
-        if known.iter().all(Option::is_some) && !self.looks_back() {
-            return samples.to_vec();
-        }
         let mut guess = base.to_vec();
         for (s, signal) in design.signals.iter().enumerate().filter(|(s, _)| known[*s].is_none()) {
             // Until the sample is there, the end of the interval is taken like its beginning.
@@ -150,7 +157,12 @@ impl Lowering<'_> {
                 *x = self.builder.sum(&terms);
             }
         }
-        let predicted = self.products(&design.output, &guess);
+        self.shown(&guess)
+    }
+
+    /// Per output, the sample or what the model predicts of it.
+    fn stand_ins(&mut self, samples: &[Value], good: &[Value], predicted: Option<&[Value]>) -> Vec<Value> {
+        let Some(predicted) = predicted else { return samples.to_vec() };
         let each = samples.iter().enumerate().map(|(o, sample)| {
             let (low, high) = self.guard.outputs[o];
             let sane = self.builder.in_range(predicted[o], low, high);

@@ -1,0 +1,64 @@
+//! What is known of a quantity at some times, with straight lines between them.
+
+use super::super::interface::fold;
+
+/// A reference over time.
+#[derive(Clone, Debug, Default)]
+pub struct Track {
+    /// Rising, s.
+    pub times: Vec<f64>,
+    /// NaN where it is not known.
+    pub values: Vec<f64>,
+}
+
+impl Track {
+    /// First and last time.
+    pub fn span(&self) -> Option<(f64, f64)> {
+        self.times.first().copied().zip(self.times.last().copied())
+    }
+
+    /// The value at a time; NaN outside, and beside what is not known. Whole turns are no difference, so that a line
+    /// between two values goes the shorter way round. `from` is where the search begins and where it ended: times that
+    /// rise from call to call are found in a few steps.
+    pub fn at(&self, time: f64, turns: &[f64], from: &mut usize) -> f64 {
+        while *from > 0 && self.times[*from] > time {
+            *from -= 1;
+        }
+        while self.times.get(*from + 1).is_some_and(|next| *next <= time) {
+            *from += 1;
+        }
+        let here = self.times.get(*from).copied().unwrap_or(f64::NAN);
+        if here == time {
+            return self.values[*from];
+        }
+        match self.times.get(*from + 1) {
+            Some(next) if here < time => {
+                let share = (time - here) / (next - here);
+                self.values[*from] + share * fold(self.values[*from + 1] - self.values[*from], turns)
+            }
+            _ => f64::NAN,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn at(time: f64) -> f64 {
+        let track = Track { times: vec![0.0, 1.0, 3.0, 4.0], values: vec![0.0, 3.0, -3.0, f64::NAN] };
+        track.at(time, &[8.0], &mut 2)
+    }
+
+    #[test]
+    fn values_run_straight_and_the_shorter_way_round() {
+        assert_eq!([at(0.0), at(0.5), at(1.0), at(3.0)], [0.0, 1.5, 3.0, -3.0]);
+        assert_eq!(at(2.0), 4.0, "half way from 3 to -3 by a turn of 8");
+    }
+
+    #[test]
+    fn nothing_is_known_outside_and_beside_gaps() {
+        assert!([-0.1, 3.5, 4.0, 4.1].iter().all(|time| at(*time).is_nan()));
+        assert!(Track::default().at(0.0, &[], &mut 0).is_nan());
+    }
+}
