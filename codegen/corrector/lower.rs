@@ -18,6 +18,7 @@
 
 mod gain;
 mod gate;
+mod given;
 mod known;
 mod turn;
 
@@ -52,6 +53,7 @@ pub fn lower(plant: &Plant, design: &Corrector, ahead: Option<&Ahead>) -> Result
     }
     let mut lowering = Lowering { plant, design, guard, builder, cells, ahead };
     lowering.step();
+    lowering.init_at();
     Ok(lowering.builder.finish())
 }
 
@@ -77,6 +79,8 @@ struct Cells {
     rejected: Vec<Option<CellId>>,
     /// Calls since the newest accepted sample.
     coasted: CellId,
+    /// 1 from a start by an estimate until the first good call, where there is such a start.
+    given: Option<CellId>,
 }
 
 impl Cells {
@@ -113,7 +117,8 @@ impl Cells {
         let calls = b.index_cell("calls", "calls since init", 0);
         let rejected = gate::cells(b, plant, design);
         let coasted = b.index_cell("coasted", "calls since the newest accepted sample", 0);
-        Self { state, left, good, clean, outputs, signals, inputs, calls, rejected, coasted }
+        let given = plant.init_at.then(|| b.index_cell("given", "1 from a given state until the first good call", 0));
+        Self { state, left, good, clean, outputs, signals, inputs, calls, rejected, coasted, given }
     }
 }
 
@@ -245,6 +250,7 @@ impl Lowering<'_> {
         let none = self.builder.index(0);
         let good = self.builder.read(self.cells.good);
         let waiting = self.builder.index_equal(good, none);
+        let waiting = self.without_a_state(waiting);
         let mut again = self.builder.or(waiting, lost);
         if let Some(width) = self.farthest() {
             let near = self.builder.in_range(innovation[0], -width, width);
@@ -321,6 +327,7 @@ impl Lowering<'_> {
         let calls = self.builder.count_up(calls, u32::MAX);
         self.builder.set(self.cells.calls, calls);
         self.count_coasted(predicted);
+        self.has_begun(predicted, again);
         [good, clean]
     }
 

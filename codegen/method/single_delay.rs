@@ -130,7 +130,7 @@ impl Keyed for Keys {
                 why: "measurements come at irregular times",
                 instead: "the method `window`, with NaN for what is missing",
             }),
-            Feature::Wrap | Feature::Gate | Feature::Ahead => None,
+            Feature::Wrap | Feature::Gate | Feature::Ahead | Feature::InitAt => None,
             _ => Some(NOT_YET),
         }
     }

@@ -106,7 +106,7 @@ const VERDICTS: [usize; 3] = [VERDICT_BITS, 1_024, 4_096];
 impl Keyed for Keys {
     fn cannot(&self, feature: Feature, _plant: &Plant) -> Option<Cannot> {
         match feature {
-            Feature::Wrap | Feature::Gate | Feature::Ahead => None,
+            Feature::Wrap | Feature::Gate | Feature::Ahead | Feature::InitAt => None,
             _ => Some(NOT_YET),
         }
     }

@@ -27,12 +27,13 @@ impl Lowering<'_> {
         self.look_ahead(&estimates[estimates.len() - 1], sampled);
         self.builder.section("the estimates, shortest window first; until one is full, the start");
         let known = full[0];
+        let determined = self.counted(count, settled(functional));
+        self.end_given(determined);
         for (place, estimate) in estimates.iter().enumerate() {
             let estimate = self.at_the_newest(estimate, sampled);
             let behind = if place == 0 { String::new() } else { format!("_{}", place + 1) };
             self.show(&estimate, sampled, known, &behind);
         }
-        let determined = self.counted(count, settled(functional));
         self.stand(&Standing { known, determined, renewed: None });
     }
 }
