@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use crate::design::{Convergence, Shape};
+use crate::design::{Certificate, Convergence, Shape};
 use crate::diagnostic::Source;
 use crate::emit::Header;
 use crate::output::Language;
@@ -220,12 +220,30 @@ fn costs(generated: &Generated) -> Vec<String> {
     ]
 }
 
-/// Gains and bounds as a table: a column per state.
+/// Gains and bounds, of each window where there are several.
 fn certificate(generated: &Generated) -> Vec<String> {
-    let (plant, certificate) = (&generated.plant, &generated.design.certificate);
     if let Shape::Baseline(baseline) = &generated.design.shape {
         return vec![format!("  {}", baseline.no_gains())];
     }
+    let mut lines = gains(generated, &generated.design.certificate);
+    let Shape::Window(functional) = &generated.design.shape else { return lines };
+    let length = |steps: usize| {
+        let time = crate::window::trimmed(crate::window::seconds(steps, generated.plant.sample_time_s()));
+        format!("  window of {time} s, {} samples", steps + 1)
+    };
+    if !functional.longer.is_empty() {
+        lines.insert(0, length(functional.steps));
+    }
+    for (place, longer) in functional.longer.iter().enumerate() {
+        lines.push(format!("{}, names with _{} behind them", length(longer.functional.steps), place + 2));
+        lines.extend(gains(generated, &longer.certificate));
+    }
+    lines
+}
+
+/// One window's gains and bounds as a table: a column per state.
+fn gains(generated: &Generated, certificate: &Certificate) -> Vec<String> {
+    let plant = &generated.plant;
     if certificate.noise_gain_l1.is_empty() && certificate.error_bound.is_empty() {
         return vec!["  no gains from noise: they depend on how far the signals excite the unknowns".into()];
     }

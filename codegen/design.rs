@@ -235,6 +235,15 @@ impl Design {
         }
     }
 
+    /// What is promised, of every window where there are several.
+    pub fn certificates(&mut self) -> impl Iterator<Item = &mut Certificate> {
+        let longer = match &mut self.shape {
+            Shape::Window(functional) => functional.longer.as_mut_slice(),
+            _ => &mut [],
+        };
+        std::iter::once(&mut self.certificate).chain(longer.iter_mut().map(|longer| &mut longer.certificate))
+    }
+
     /// The step as a Program.
     pub fn lower(&self, plant: &Plant, ahead: Option<&Ahead>) -> Result<Program, Vec<Diagnostic>> {
         match &self.shape {

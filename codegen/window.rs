@@ -23,7 +23,7 @@ pub mod tune;
 
 use std::ops::Range;
 
-use crate::design::Settled;
+use crate::design::{Certificate, Settled};
 pub use realize::Way;
 pub use samples::{count, refuse_much_work, seconds, trimmed, whole_samples};
 
@@ -50,6 +50,29 @@ pub struct Functional {
     pub irregular: Option<irregular::Irregular>,
     /// How a step computes it.
     pub way: Way,
+    /// Further windows over the same stored samples, shortest first, each longer than this one.
+    pub longer: Vec<Longer>,
+}
+
+/// A longer window over the same stored samples, with what is promised of its estimate.
+#[derive(Clone, Debug)]
+pub struct Longer {
+    /// Its weights; what it predicts, and of which signals, is as for the shortest window.
+    pub functional: Functional,
+    /// Of its estimate.
+    pub certificate: Certificate,
+}
+
+impl Functional {
+    /// N of the longest window: what the rings hold.
+    pub fn longest(&self) -> usize {
+        self.longer.last().map_or(self.steps, |longer| longer.functional.steps)
+    }
+
+    /// Every window, shortest first.
+    pub fn windows(&self) -> impl Iterator<Item = &Self> {
+        std::iter::once(self).chain(self.longer.iter().map(|longer| &longer.functional))
+    }
 }
 
 /// Measurements at irregular times: a prediction stands in between them.

@@ -269,7 +269,7 @@ fn at_standstill_every_derivative_is_zero() {
             run.inputs.push(Vec::new());
         }
         for estimate in &run.through(&generated).estimates[steps..] {
-            assert_eq!(estimate[..], [f64::from(2.7_f32), 0.0, 0.0]);
+            assert_eq!(estimate[..3], [f64::from(2.7_f32), 0.0, 0.0]);
         }
     }
 }
@@ -288,7 +288,7 @@ fn a_sample_beyond_the_gate_is_left_out_until_there_are_too_many() {
     let (lost, answers) = (lost.through(&generated), far.through(&generated));
     assert_eq!(lost.statuses, answers.statuses);
     assert_eq!(lost.estimates, answers.estimates);
-    // From call 4N on the arm is a third of a turn further, for good: N rejected samples, then a window.
+    // From call 4N on the arm is a third of a turn further, for good: the Nth such sample is believed and begins a window.
     for row in &mut far.measurements[4 * steps..] {
         row[0] += 2.0;
     }
@@ -297,6 +297,6 @@ fn a_sample_beyond_the_gate_is_left_out_until_there_are_too_many() {
     assert_eq!(status(4 * steps - 1), Status::Converged);
     assert_eq!(status(5 * steps - 2), Status::Coasting);
     assert_eq!(status(5 * steps - 1), Status::Converging);
-    assert_eq!(status(6 * steps - 1), Status::Converging);
-    assert!(answers.statuses[6 * steps..].iter().all(|status| *status == Status::Converged));
+    assert_eq!(status(6 * steps - 2), Status::Converging);
+    assert!(answers.statuses[6 * steps - 1..].iter().all(|status| *status == Status::Converged));
 }

@@ -23,7 +23,7 @@ use plant::{
     Answers, Hold, Random, Run, Truth, UNIT, at_sample_time, corpus, delays, designed, designed_in, edited, functional,
 };
 use plant::{integration_rounding, matrix, rounding};
-use truths::{corrects, inverted_cart, late_position, names, names_of, truth};
+use truths::{corrects, inverted_cart, is_baseline, late_position, names, names_of, truth};
 
 use Status::{Coasting, Converged, Converging};
 

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use deadbeat_codegen::describe::{self, short};
-use deadbeat_codegen::design::{Convergence, Design, NamedMatrix, Realization, Shape};
+use deadbeat_codegen::design::{Certificate, Convergence, Design, NamedMatrix, Realization, Shape};
 use deadbeat_codegen::method::Moment;
 use deadbeat_codegen::plant::modes::modes;
 use deadbeat_codegen::program::cost::{Cost, cost};
@@ -25,7 +25,6 @@ pub fn json(generated: &Generated) -> Value {
         design.constants.iter().map(|matrix| (matrix.letter.to_owned(), json!(matrix.rows))).collect();
     let fir = design.fir.as_ref().map(|fir| json!({ "known": fir.known, "K": fir.k, "M": fir.m, "c": fir.c }));
     let cost = counted(generated);
-    let certificate = &design.certificate;
     let warnings: Vec<Value> =
         generated.report.diagnostics.iter().map(|d| json!({ "code": d.code, "message": d.message })).collect();
     let convergence = match design.convergence {
@@ -54,14 +53,8 @@ pub fn json(generated: &Generated) -> Value {
         "modes": modes(plant),
         "constants": constants,
         "fir": fir,
-        "certificate": {
-            "noise_gain_l1": certificate.noise_gain_l1,
-            "noise_gain_l2": certificate.noise_gain_l2,
-            "disturbance_gain_l1": certificate.disturbance_gain_l1,
-            "error_bound": certificate.error_bound,
-            "initial_gain": certificate.initial_gain,
-            "one_count": generated.one_count.0,
-        },
+        "certificate": promised(&design.certificate),
+        "one_count": generated.one_count.0,
         "cost": {
             "ram_bytes": cost.ram_bytes,
             "flash_bytes": cost.flash_bytes,
@@ -81,6 +74,15 @@ pub fn json(generated: &Generated) -> Value {
     if !phases.is_empty() {
         let phase = |it: &Phase| json!({ "noise_gain_l1": it.noise_gain_l1, "noise_gain_l2": it.noise_gain_l2 });
         all["phases"] = phases.iter().map(phase).collect();
+    }
+    if let Shape::Window(functional) = &design.shape
+        && !functional.longer.is_empty()
+    {
+        let longer = functional.longer.iter().map(|longer| (longer.functional.steps, &longer.certificate));
+        let windows = std::iter::once((design.window_steps, &design.certificate)).chain(longer);
+        all["windows"] = windows
+            .map(|(steps, certificate)| json!({ "window_steps": steps, "certificate": promised(certificate) }))
+            .collect();
     }
     all
 }
@@ -116,6 +118,16 @@ fn by_phase(generated: &Generated) -> String {
         let _ = writeln!(text, "  …; `--format json` has them all");
     }
     text
+}
+
+fn promised(certificate: &Certificate) -> Value {
+    json!({
+        "noise_gain_l1": certificate.noise_gain_l1,
+        "noise_gain_l2": certificate.noise_gain_l2,
+        "disturbance_gain_l1": certificate.disturbance_gain_l1,
+        "error_bound": certificate.error_bound,
+        "initial_gain": certificate.initial_gain,
+    })
 }
 
 fn realization(realization: &Realization) -> Value {

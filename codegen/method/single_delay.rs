@@ -26,9 +26,9 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use super::window::{
-    check_hold, fir, read_hold, refuse_unknowns, resolution_warnings, time_warning, verdict, window_steps,
+    check_hold, fir, read_hold, refuse_unknowns, resolution_warnings, sensor_notes, time_warning, verdict, window_steps,
 };
-use super::{Keyed, Method};
+use super::{Cannot, Feature, Keyed, Method, NOT_YET};
 use crate::decimal::show;
 use crate::describe::short;
 use crate::design::{Design, Shape};
@@ -120,6 +120,21 @@ fn read_intermittent(table: &mut Table) -> Option<Intermittent> {
 }
 
 impl Keyed for Keys {
+    fn cannot(&self, feature: Feature, _plant: &Plant) -> Option<Cannot> {
+        match feature {
+            Feature::Wrap if self.form.0 => Some(Cannot {
+                why: "its integrals from samples are no sums of differences",
+                instead: "`form = \"exact\"`, or the method `window`",
+            }),
+            Feature::Wrap | Feature::Gate if self.intermittent.is_some() => Some(Cannot {
+                why: "measurements come at irregular times",
+                instead: "the method `window`, with NaN for what is missing",
+            }),
+            Feature::Wrap | Feature::Gate | Feature::Ahead => None,
+            _ => Some(NOT_YET),
+        }
+    }
+
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {
         let mut found = refuse_unknowns(plant, METHOD.name);
         found.extend(refuse_delays(plant));
@@ -157,6 +172,7 @@ impl Keyed for Keys {
         let (wanted, span) = (self.wanted, self.wanted_span.clone());
         let realized = realize::realize(plant, Request { functional, exact: &exact, form, wanted, span })?;
         notes.extend(realized.notes);
+        notes.extend(sensor_notes(plant, steps));
         let Realized { functional, mut certificate, name, realizations, .. } = realized;
         if let Some(gaps) = functional.gaps {
             certificate = with_gaps(plant, certificate, &functional, &exact, gaps);

@@ -21,12 +21,14 @@
 
 mod left_out;
 mod rates;
+mod several;
 
 use std::ops::Range;
 use std::sync::Arc;
 
-use super::{Cannot, Feature, Keyed, Method};
+use super::{Cannot, Feature, Keyed, Method, NOT_YET};
 use crate::decimal::show;
+use crate::describe::short;
 use crate::design::{Convergence, Design, Fir, NamedMatrix, Shape};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::expr::List;
@@ -51,7 +53,7 @@ pub const METHOD: Method = Method {
     summary: "full-order least squares over the last N+1 samples, stateless",
     source: "Mazenc and Malisoff 2022 (parameters and states), (9), (19) without unknowns, made exact for samples",
     keys: &[
-        ("window", "s", "length of the window, a whole number of samples; the estimate has converged after it"),
+        ("window", "s | [s, …]", "length of the window, a whole number of samples: the deadline; several, rising"),
         ("hold", "\"first\" | \"third\"", "how nonlinear terms run between samples: order 2 (default) or 4"),
         (
             "weights",
@@ -73,7 +75,8 @@ pub const METHOD: Method = Method {
 /// The method's keys.
 #[derive(Clone, Debug)]
 struct Keys {
-    window: Quantity,
+    /// One, or several, rising.
+    windows: Vec<Quantity>,
     weighting: Weighting,
     weights_span: Range<usize>,
     hold: (Between, Range<usize>),
@@ -90,8 +93,8 @@ enum Weighting {
 }
 
 fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
-    let window = table.quantity("window");
-    if window.is_none() && !table.has("window") {
+    let windows = several::read(table);
+    if windows.is_none() && !table.has("window") {
         table.missing(
             "window",
             "write `window = …`, the length in seconds; the deadline by which the estimate is exact",
@@ -106,7 +109,7 @@ fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
     let missing = (missing, missing_span);
     let wanted_span = table.key_span("realization");
     let wanted = table.choice("realization", &WORDS, Wanted::Auto);
-    Some(Arc::new(Keys { window: window?, weighting, weights_span, hold, missing, wanted, wanted_span }))
+    Some(Arc::new(Keys { windows: windows?, weighting, weights_span, hold, missing, wanted, wanted_span }))
 }
 
 /// Bits at which observability is judged; a tolerance of half of them is far from any rounding.
@@ -120,17 +123,23 @@ impl Keyed for Keys {
     }
 
     fn cannot(&self, feature: Feature, plant: &Plant) -> Option<Cannot> {
-        if self.leaves_out(plant) { left_out::cannot(feature, plant) } else { super::not_yet(feature) }
+        if self.leaves_out(plant) {
+            return left_out::cannot(feature, plant);
+        }
+        match feature {
+            Feature::Wrap | Feature::Gate | Feature::Ahead => None,
+            _ => Some(NOT_YET),
+        }
     }
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {
         let mut found = refuse_unknowns(plant, METHOD.name);
-        let steps = window_steps(plant, &self.window, &mut found);
+        let all = several::steps(plant, &self.windows, &mut found);
         let delays = delays(plant, &mut found);
-        let (Some(steps), Some(delays)) = (steps, delays) else { return Err(found) };
-        let span = self.window.span();
+        let (Some(all), Some(delays)) = (all, delays) else { return Err(found) };
+        let (steps, span) = (all[0], self.windows[0].span());
         refuse_long_delays(plant, &delays, steps, &span, &mut found);
-        refuse_much_work(plant, steps, &span, &mut found);
+        refuse_much_work(plant, all.iter().sum(), &span, &mut found);
         let signals = signals_between(plant, self.hold.0);
         check_hold(plant, &signals, &self.hold, steps, &mut found);
         if !found.is_empty() {
@@ -142,16 +151,22 @@ impl Keyed for Keys {
             return self.left_out(plant, &signals, steps, pattern, condition);
         }
         let choice = self.choice(plant, &delays, steps)?;
-        let (functional, exact, mut numerics) = settle(plant, &signals, &delays, steps, &choice)?;
+        let (mut functional, exact, mut numerics) = settle(plant, &signals, &delays, steps, &choice)?;
         numerics.condition = condition;
+        for (steps, window) in all.iter().zip(&self.windows).skip(1) {
+            verdict(plant, &delays, *steps, &window.span())?;
+            let choice = self.choice(plant, &delays, *steps)?;
+            functional.longer.push(several::longer(plant, &signals, &delays, *steps, &choice)?);
+        }
         let form = self.form(&delays);
         let (wanted, span) = (self.wanted, self.wanted_span.clone());
         let Realized { functional, certificate, name, realizations, notes } =
             realize(plant, Request { functional, exact: &exact, form, wanted, span })?;
+        let notes = notes.into_iter().chain(several::note(&all)).chain(sensor_notes(plant, steps)).collect();
         Ok(Design {
             method: METHOD.name,
             realization: name,
-            summary: self.summary(plant, steps, &functional.way),
+            summary: self.summary(plant, &all, &functional.way),
             window_steps: steps,
             valid_from_step: steps,
             convergence: Convergence::Finite,
@@ -188,12 +203,15 @@ impl Keys {
         Ok(Choice::Rows(best_rows(&trusted(&rows, &trust), &model.phi.powi(steps as u64))))
     }
 
-    fn summary(&self, plant: &Plant, steps: usize, way: &Way) -> String {
-        let h = plant.sample_time_s();
+    fn summary(&self, plant: &Plant, all: &[usize], way: &Way) -> String {
+        let (h, steps) = (plant.sample_time_s(), all[0]);
         let what = match self.weighting {
             Weighting::Equal => "least squares",
             Weighting::Minimax => "smallest worst-case noise gain",
         };
+        if all.len() > 1 {
+            return format!("{what} over the last {} at {h} s, stateless", several::lengths(all, h));
+        }
         let (samples, seconds) = (steps + 1, trimmed(seconds(steps, h)));
         match way {
             Way::Fir => format!("{what} over the last {samples} samples ({seconds} s at {h} s), stateless"),
@@ -201,6 +219,26 @@ impl Keys {
             _ => format!("{what} over the last {samples} samples ({seconds} s at {h} s)"),
         }
     }
+}
+
+/// What the header says of outputs that wrap, and of those with a gate.
+pub(super) fn sensor_notes(plant: &Plant, steps: usize) -> Vec<String> {
+    let number = |constant: &crate::expr::Constant| short(constant.to_f64().unwrap_or(f64::NAN));
+    let mut notes = Vec::new();
+    for output in &plant.outputs {
+        let (name, unit) = (&output.label.name, &output.label.unit);
+        let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
+        if let Some(wrap) = &output.wrap {
+            let turn = number(&wrap.turn);
+            notes.push(format!("{name} wraps every {turn}{unit}: sums are of differences to the newest sample"));
+        }
+        if let Some(gate) = &output.gate {
+            let (size, limit) = (number(&gate.size), gate.limit.map_or(steps, |limit| limit as usize));
+            notes.push(format!("once converged, {name} further than {size}{unit} from its prediction is missing;"));
+            notes.push(format!("after {limit} such samples in a row the observer starts again with the last of them"));
+        }
+    }
+    notes
 }
 
 /// How nonlinear terms run between samples, with the key's place.

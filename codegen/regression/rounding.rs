@@ -47,6 +47,7 @@ impl Problem<'_> {
                 gaps: None,
                 irregular: None,
                 way: Way::Fir,
+                longer: Vec::new(),
             },
             states,
             own,

@@ -84,17 +84,44 @@ fn design(plant: &Plant, request: &Request, wanted: Wanted, depth: Depth) -> Res
         let irregular = functional.gaps.is_some() || functional.irregular.is_some();
         match request.form {
             Err(why) => Err(Refusal::Unfit(why.to_owned(), None)),
+            Ok(_) if plant.outputs.iter().any(|output| output.wrap.is_some()) => {
+                Err(Refusal::Unfit("it sums samples; an output that wraps needs differences".into(), None))
+            }
+            Ok(_) if !functional.longer.is_empty() => {
+                Err(Refusal::Unfit("several windows share one buffer of samples".into(), None))
+            }
             Ok(_) if curves => Err(Refusal::Unfit("its copies take straight lines between samples".into(), None)),
             Ok(_) if irregular => Err(Refusal::Unfit("measurements come at irregular times".into(), None)),
             Ok(form) => Ok(form),
         }
     };
     Ok(match wanted {
-        Wanted::Auto | Wanted::Fir => Way::Fir,
+        Wanted::Auto | Wanted::Fir => turns_add_up(plant, functional).map(|()| Way::Fir)?,
         Wanted::TwoLevel => Way::TwoLevel(Box::new(TwoLevel::new(plant, functional, exact, form()?, depth)?)),
         Wanted::PingPong => Way::PingPong(Box::new(PingPong::new(plant, functional, exact, form()?, depth)?)),
         Wanted::Recursive => Way::Recursive(Box::new(Recursive::new(plant, functional, exact, form()?, depth)?)),
     })
+}
+
+/// Whether the weights of each output that wraps add up to the direction of its turn, so that differences to the newest
+/// sample can be summed instead.
+fn turns_add_up(plant: &Plant, functional: &crate::window::Functional) -> Result<(), Refusal> {
+    // Each weight is rounded once.
+    const ROUNDING: f64 = 1e-12;
+    let wraps = plant.outputs.iter().enumerate().filter_map(|(o, output)| Some((o, output.wrap.as_ref()?)));
+    for (window, (o, wrap)) in functional.windows().flat_map(|window| wraps.clone().map(move |wrap| (window, wrap))) {
+        let weights = &window.outputs[o];
+        for (i, s) in wrap.direction.iter().enumerate() {
+            let sum: f64 = weights.ages().map(|age| weights.at(i, age).double).sum();
+            let off = (sum - s.to_f64().unwrap_or(f64::NAN)).abs();
+            if off.is_nan() || off > ROUNDING * weights.l1(i).max(1.0) {
+                let name = &plant.outputs[o].label.name;
+                let why = format!("the weights of `{name}` do not add up to the direction of a turn");
+                return Err(Refusal::Unfit(why, Some(off)));
+            }
+        }
+    }
+    Ok(())
 }
 
 fn look(plant: &Plant, request: &Request, wanted: Wanted) -> Candidate {

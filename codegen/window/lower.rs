@@ -10,6 +10,7 @@
 pub(crate) mod cells;
 mod copies;
 mod count;
+mod gate;
 pub(crate) mod guard;
 pub(crate) mod injections;
 mod irregular;
@@ -22,6 +23,7 @@ pub(crate) mod sample;
 mod sums;
 mod there;
 mod two_level;
+mod windows;
 
 use crate::ahead::Ahead;
 use crate::design::Settled;
@@ -36,6 +38,7 @@ use count::settled;
 use guard::{Growth, Guard};
 use predict::Unknowns;
 pub(crate) use report::Standing;
+use sums::Anchor;
 
 /// Lowers a functional for its plant; constants that the target's floats cannot hold are reported.
 pub fn lower(plant: &Plant, functional: &Functional, ahead: Option<&Ahead>) -> Result<Program, Vec<Diagnostic>> {
@@ -61,6 +64,8 @@ pub(crate) struct Sampled {
     late: Vec<(usize, Value)>,
     /// Whether a missing sample had no prediction.
     lost: Value,
+    /// Whether so many samples were not believed that the window starts again with those of now; where that can be.
+    again: Option<Value>,
     /// Per output: what enters the window.
     outputs: Vec<Value>,
     /// Per signal: what enters the window.
@@ -125,9 +130,15 @@ impl<'a> Lowering<'a> {
             }
             return;
         }
+        // Of outputs that wrap, less their newest sample.
         let estimate = self.estimate(&sampled, before, count);
+        if !self.functional.longer.is_empty() {
+            self.windows(&estimate, &sampled, count);
+            return;
+        }
         self.look_ahead(&estimate, &sampled);
         self.builder.section("the estimate; until the window is full, the start");
+        let estimate = self.at_the_newest(&estimate, &sampled);
         let known = self.counted(count, self.window());
         let determined = self.counted(count, settled(self.functional));
         self.report(&estimate, &sampled, &Standing { known, determined, renewed: None });
@@ -137,13 +148,39 @@ impl<'a> Lowering<'a> {
     fn estimate(&mut self, sampled: &Sampled, before: Value, count: Value) -> Vec<Value> {
         match &self.functional.way {
             Way::Fir => {
-                let kept = (self.cells.outputs.as_slice(), self.cells.signals.as_slice());
-                sums::estimate(&mut self.builder, self.plant, self.functional, kept, sampled.newest)
+                self.builder.section("the sums over the window, newest sample first");
+                self.summed(self.functional, sampled)
             }
             Way::TwoLevel(two) => self.two_level(two, sampled),
             Way::PingPong(pair) => self.ping_pong(pair, sampled, count),
             Way::Recursive(recursive) => self.recursive(recursive, sampled, before, count),
         }
+    }
+
+    /// The estimate of each state by one sum over a window.
+    fn summed(&mut self, functional: &Functional, sampled: &Sampled) -> Vec<Value> {
+        let kept = (self.cells.outputs.as_slice(), self.cells.signals.as_slice());
+        let anchors: Vec<Option<Anchor>> = (self.plant.outputs.iter().zip(&sampled.outputs))
+            .map(|(output, newest)| {
+                let turn = injections::round(&output.wrap.as_ref()?.turn, self.plant.scalar);
+                Some(Anchor { newest: *newest, turn })
+            })
+            .collect();
+        let place = (sampled.newest, kept_len(self.functional));
+        sums::estimate(&mut self.builder, self.plant, functional, kept, &anchors, place)
+    }
+
+    /// The estimate from its sums: with the newest samples of outputs that wrap, each in the direction of its turn.
+    fn at_the_newest(&mut self, estimate: &[Value], sampled: &Sampled) -> Vec<Value> {
+        let mut moved = estimate.to_vec();
+        for (output, newest) in self.plant.outputs.iter().zip(&sampled.outputs) {
+            let Some(wrap) = &output.wrap else { continue };
+            for (value, direction) in moved.iter_mut().zip(&wrap.direction).filter(|(_, s)| !s.is_zero()) {
+                let direction = self.builder.float(injections::round(direction, self.plant.scalar));
+                *value = self.add_product(*value, direction, *newest);
+            }
+        }
+        moved
     }
 
     /// Whether this call's samples are the first of a window.
@@ -152,9 +189,14 @@ impl<'a> Lowering<'a> {
         self.builder.index_less(count, two)
     }
 
-    /// N+1.
+    /// N+1, of the shortest window.
     pub(crate) fn window(&self) -> u32 {
         window_len(self.functional)
+    }
+
+    /// Samples that the rings hold.
+    fn kept(&self) -> u32 {
+        kept_len(self.functional)
     }
 
     fn add_product(&mut self, sum: Value, weight: Value, value: Value) -> Value {
@@ -195,6 +237,11 @@ impl<'a> Lowering<'a> {
 /// N+1.
 pub(crate) fn window_len(functional: &Functional) -> u32 {
     u32::try_from(functional.steps + 1).unwrap_or_else(|_| unreachable!("the window's length is bounded"))
+}
+
+/// Samples that the rings hold: N+1 of the longest window.
+pub(crate) fn kept_len(functional: &Functional) -> u32 {
+    index(functional.longest() + 1)
 }
 
 /// Samples that a late output's predictions wait for.

@@ -227,17 +227,18 @@ impl Functional {
         self.outputs.iter().chain(&self.knowns).map(|w| w.columns.iter().flatten().count()).sum()
     }
 
-    /// What one sum over the window takes.
+    /// What the sums over the windows take; the round-off is that of the shortest.
     pub fn load(&self, plant: &Plant) -> Load {
         let n = plant.states.len();
         let signals = self.outputs.len() + self.knowns.len();
         // Each term is rounded with its weight, with its product, and once in each later addition.
         let chain = unit(plant.scalar) * count(self.steps + 2 + signals);
         let weights: Vec<f64> = (0..n).map(|i| self.weights(i) + self.constant[i].double.abs()).collect();
+        let constants = self.windows().map(|window| window.pairs() * (window.steps + 1)).sum();
         Load {
-            words: signals * (self.steps + 1),
-            flops: 2 * self.pairs() * (self.steps + 1),
-            constants: self.pairs() * (self.steps + 1),
+            words: signals * (self.longest() + 1),
+            flops: 2 * constants,
+            constants,
             gain: weights.iter().copied().fold(1.0, f64::max),
             round_off: weights.iter().map(|w| w * chain).collect(),
         }

@@ -233,6 +233,7 @@ impl Pass {
             gaps: None,
             irregular: None,
             way: Way::Fir,
+            longer: Vec::new(),
         }
     }
 }

@@ -249,7 +249,7 @@ impl Run {
         let mut interpreter = Interpreter::new(&generated.program);
         let mut answers = Answers { estimates: Vec::new(), statuses: Vec::new() };
         for (measurements, inputs) in self.measurements.iter().zip(&self.inputs) {
-            let mut estimate = vec![0.0; generated.plant.states.len()];
+            let mut estimate = vec![0.0; generated.program.estimates.len()];
             answers.statuses.push(interpreter.step(measurements, inputs, &mut estimate));
             answers.estimates.push(estimate);
         }

@@ -14,7 +14,7 @@ pub fn truth(name: &str) -> Option<Truth> {
         "dc_motor" | "motor_single_delay" | "motor_intermittent" | "motor_recursive" | "luenberger" => dc_motor(),
         "motor_continuous" => smooth_motor(),
         "differentiator" => integrators(&[2.0, 3.0, 5.0, 5.0]),
-        "differentiator_encoder" | "lossy_encoder" => integrators(&[0.5, 2.0, 5.0]),
+        "differentiator_encoder" | "lossy_encoder" | "three_windows" => integrators(&[0.5, 2.0, 5.0]),
         // A ramp, whose backward differences are its derivatives.
         "differentiator_euler" => {
             Truth { start: vec![(290.0, 310.0), (-0.05, 0.05), (0.0, 0.0)], ..integrators(&[0.0; 3]) }

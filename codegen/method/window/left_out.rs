@@ -82,11 +82,11 @@ impl Keys {
         let (mut functional, exact, mut numerics) = settle(plant, signals, &delays, steps, &Choice::LeastSquares)?;
         numerics.condition = condition;
         let mut irregular = irregular::design(plant, signals, steps, pattern)?;
-        refuse_work(&irregular, &self.window.span())?;
+        refuse_work(&irregular, &self.windows[0].span())?;
         let certified = certify(plant, &functional, &irregular, &exact);
         let certified = certified.filter(|_| irregular.pivot >= 16.0 * irregular::limit(plant));
         let Some((certificate, phases)) = certified else {
-            return Err(vec![hardly_determined(plant, &irregular, &self.window.span())]);
+            return Err(vec![hardly_determined(plant, &irregular, &self.windows[0].span())]);
         };
         if phases.len() > 1 {
             irregular.phases = phases;
@@ -127,6 +127,10 @@ impl Keys {
         if self.missing.0 == Some(Missing::Predicted) {
             let message = "samples that come at a rate of their own cannot be predicted in between";
             refuse(&self.missing.1, message, "leave out `missing`, or `every` and `age`");
+        }
+        if let Some(second) = self.windows.get(1) {
+            let message = "one window is solved for, not several";
+            refuse(&second.span(), message, "one length for `window`, or `missing = \"predicted\"`");
         }
         if self.weighting == Weighting::Minimax {
             let message = "minimax weights are of all samples of a window";

@@ -7,7 +7,7 @@ use crate::program::{CellId, Value};
 use super::super::Functional;
 use super::count::longest_count;
 use super::irregular::Memory;
-use super::{injections, late_len, window_len};
+use super::{injections, kept_len, late_len};
 
 /// What is kept of a sampled signal.
 #[derive(Clone, Copy, Debug)]
@@ -58,6 +58,8 @@ pub(crate) struct Cells {
     pub(super) count: CellId,
     /// Per output, where there are several: samples missing in a row.
     pub(super) missed: Vec<CellId>,
+    /// Per output with a gate: samples not believed in a row.
+    pub(super) rejected: Vec<Option<CellId>>,
     /// Per output, where measurements come at irregular times: calls since the newest.
     pub(super) gaps: Vec<CellId>,
     /// Calls until no replaced sample is in the window.
@@ -74,7 +76,7 @@ pub(crate) struct Cells {
 
 /// Declares the cells; those that nothing reads are left out of the Program.
 pub(super) fn declare(builder: &mut Builder, plant: &Plant, functional: &Functional) -> Cells {
-    let window = window_len(functional);
+    let window = kept_len(functional);
     let scalar = plant.scalar;
     let stores = functional.way.stores_window();
     let outputs = plant.outputs.iter().enumerate().map(|(o, output)| {
@@ -115,6 +117,12 @@ pub(super) fn declare(builder: &mut Builder, plant: &Plant, functional: &Functio
         )
     });
     let missed = missed.collect();
+    let rejected = plant.outputs.iter().map(|output| {
+        let name = &output.label.name;
+        let doc = format!("samples of {name} rejected in a row");
+        output.gate.as_ref().map(|_| builder.index_cell(&format!("rejected_{name}"), &doc, 0))
+    });
+    let rejected = rejected.collect();
     let irregular = if functional.gaps.is_some() { plant.outputs.as_slice() } else { &[] };
     let gaps = irregular.iter().map(|output| {
         let name = &output.label.name;
@@ -141,11 +149,11 @@ pub(super) fn declare(builder: &mut Builder, plant: &Plant, functional: &Functio
     }
     let calls = builder.index_cell("calls", "calls since init", 0);
     let memory = functional.irregular.as_ref().map(|_| memory(builder, plant, functional));
-    Cells { outputs, signals, inputs, newest, count, missed, gaps, coasting, ahead, late, calls, memory }
+    Cells { outputs, signals, inputs, newest, count, missed, rejected, gaps, coasting, ahead, late, calls, memory }
 }
 
 fn memory(builder: &mut Builder, plant: &Plant, functional: &Functional) -> Memory {
-    let window = window_len(functional);
+    let window = kept_len(functional);
     let present = plant.outputs.iter().map(|output| {
         let name = &output.label.name;
         builder.ring(&format!("has_{name}"), &format!("1 where there is a sample of {name}, by slot"), window, 0.0)
@@ -163,14 +171,8 @@ fn memory(builder: &mut Builder, plant: &Plant, functional: &Functional) -> Memo
         (delay > 0).then(|| builder.index_cell(&name, doc, window - 1 - delay))
     });
     let late = late.collect();
-    let rejected = plant.outputs.iter().map(|output| {
-        let name = &output.label.name;
-        let cell = (format!("rejected_{name}"), format!("samples of {name} beyond the gate in a row"));
-        output.gate.as_ref().map(|_| builder.index_cell(&cell.0, &cell.1, 0))
-    });
-    let rejected = rejected.collect();
     let coasted = builder.index_cell("since", "calls since a sample was accepted", 0);
-    Memory { present, next, known, late, rejected, coasted }
+    Memory { present, next, known, late, coasted }
 }
 
 pub(crate) fn bracketed(unit: &str) -> String {

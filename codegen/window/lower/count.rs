@@ -3,18 +3,24 @@
 use crate::program::Value;
 
 use super::super::Functional;
-use super::{Lowering, Sampled, late_len, window_len};
+use super::{Lowering, Sampled, kept_len, late_len, window_len};
 
 impl Lowering<'_> {
     /// Good samples in a row before and now, or how the window starts again.
     pub(crate) fn count(&mut self, sampled: &Sampled) -> (Value, Value) {
         self.builder.section("how much of the window is good");
         let before = self.builder.read(self.cells.count);
-        let converged = self.had_converged(before, 1);
+        let mut converged = self.had_converged(before, 1);
+        let mut interval_good = sampled.interval_good;
+        if let Some(again) = sampled.again {
+            let goes_on = self.builder.not(again);
+            converged = self.builder.and(converged, goes_on);
+            interval_good = self.builder.and(interval_good, goes_on);
+        }
         let (none, one) = (self.builder.index(0), self.builder.index(1));
         let more = self.builder.count_up(before, longest_count(self.functional));
         let kept = self.builder.select(sampled.lost, none, more);
-        let grown = self.builder.select(sampled.interval_good, more, one);
+        let grown = self.builder.select(interval_good, more, one);
         let growing = self.builder.select(sampled.samples_good, grown, none);
         let count = self.builder.select(converged, kept, growing);
         self.builder.set(self.cells.count, count);
@@ -37,9 +43,9 @@ impl Lowering<'_> {
         self.builder.and(full, found)
     }
 
-    /// Calls until no replaced sample is in the window.
+    /// Calls until no replaced sample is in the longest window.
     fn coast(&mut self, sampled: &Sampled) {
-        let window = self.window();
+        let window = self.kept();
         let before = self.builder.read(self.cells.coasting);
         let mut coasting = self.builder.count_down(before);
         let interval = self.builder.index(window - 1);
@@ -59,10 +65,10 @@ impl Lowering<'_> {
     }
 }
 
-/// Where the count ends: at a full window, or where every late output has a prediction.
+/// Where the count ends: at a full window, the longest, or where every late output has a prediction.
 pub(super) fn longest_count(functional: &Functional) -> u32 {
     let latest = (0..functional.delays.len()).map(|o| late_len(functional, o)).max().unwrap_or(0);
-    let full = window_len(functional) - 1 + latest.max(1);
+    let full = kept_len(functional) - 1 + latest.max(1);
     full.max(settled(functional))
 }
 

@@ -75,12 +75,13 @@ impl Guard {
 
 /// Refuses weights that the target's floats cannot hold: beyond their range, or all of a column below it.
 fn refuse_lost_weights(plant: &Plant, functional: &Functional) -> Result<(), Vec<Diagnostic>> {
-    let columns = functional.outputs.iter().chain(&functional.knowns).flat_map(|w| w.columns.iter().flatten());
+    let weights = functional.windows().flat_map(|window| window.outputs.iter().chain(&window.knowns));
+    let columns = weights.flat_map(|w| w.columns.iter().flatten());
     let smallest = match plant.scalar {
         Scalar::F32 => f64::from(f32::MIN_POSITIVE),
         Scalar::F64 => f64::MIN_POSITIVE,
     };
-    let mut all: Vec<Settled> = functional.constant.clone();
+    let mut all: Vec<Settled> = functional.windows().flat_map(|window| window.constant.clone()).collect();
     let of_way = functional.way.columns();
     for column in columns.chain(&of_way) {
         all.extend(column);
@@ -109,8 +110,12 @@ pub(crate) fn lost(plant: &Plant, what: &str, weight: f64) -> Diagnostic {
 }
 
 fn output_range(plant: &Plant, output: &Output, bound: f64, found: &mut Vec<Diagnostic>) -> (f64, f64) {
-    let Some((low, high)) = &output.range else { return (-bound, bound) };
-    let (low, high) = (round(low, plant.scalar), round(high, plant.scalar));
+    let (low, high) = match (&output.wrap, &output.range) {
+        // What is folded is within half a turn, but for rounding; the declared range is of the sample before that.
+        (Some(wrap), _) => (-round(&wrap.turn, plant.scalar), round(&wrap.turn, plant.scalar)),
+        (None, Some((low, high))) => (round(low, plant.scalar), round(high, plant.scalar)),
+        (None, None) => return (-bound, bound),
+    };
     if !(low >= -bound && high <= bound) {
         let message = format!("the range of `{}` is wider than can be computed with", output.label.name);
         let error = Diagnostic::error(codes::OUT_OF_RANGE, output.range_span.clone(), message);
@@ -132,10 +137,13 @@ fn largest_sample(plant: &Plant) -> f64 {
 /// The largest sum of magnitudes in a step, for samples of magnitude 1; at least 1.
 fn largest_gain(plant: &Plant, functional: &Functional) -> f64 {
     let size = |value: &Option<Settled>| value.map_or(0.0, |v| v.double.abs());
-    let state = |i: usize| -> f64 {
-        let weights = functional.outputs.iter().chain(&functional.knowns);
-        weights.map(|w| w.l1(i)).sum::<f64>() + functional.constant[i].double.abs()
+    let one = |window: &Functional, i: usize| -> f64 {
+        let weights = window.outputs.iter().chain(&window.knowns);
+        let turns = plant.outputs.iter().flat_map(|output| &output.wrap).map(|wrap| wrap.direction[i].to_f64());
+        let newest: f64 = turns.map(|s| s.unwrap_or(0.0).abs()).sum();
+        weights.map(|w| w.l1(i)).sum::<f64>() + window.constant[i].double.abs() + newest
     };
+    let state = |i: usize| functional.windows().map(|window| one(window, i)).fold(0.0, f64::max);
     let mut states: Vec<f64> = (0..plant.states.len()).map(state).collect();
     // Whatever else the way adds up on its way to a state, cells included.
     let of_way = functional.way.load().map_or(0.0, |load| load.gain);

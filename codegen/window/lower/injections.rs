@@ -50,7 +50,10 @@ pub fn initial_output(plant: &Plant, output: usize, scalar: Scalar) -> f64 {
         sum = sum.plus(&product).unwrap_or_default();
     }
     let value = Constant::try_from(sum).map_or(0.0, |constant| round(&constant, scalar));
-    if value.is_finite() { value } else { 0.0 }
+    let turn = plant.outputs[output].wrap.as_ref().map(|wrap| round(&wrap.turn, scalar));
+    // What only fills the buffer need not be further away than folded samples are.
+    let far = turn.is_some_and(|turn| value.abs() > turn / 2.0);
+    if value.is_finite() && !far { value } else { 0.0 }
 }
 
 /// Refuses constants of the injections and of the start that the target's floats cannot hold.

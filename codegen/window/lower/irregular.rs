@@ -26,8 +26,6 @@ pub(super) struct Memory {
     pub(super) known: CellId,
     /// Per late output: the slot of the time that its newest sample shows.
     pub(super) late: Vec<Option<CellId>>,
-    /// Per gated output: samples rejected in a row.
-    pub(super) rejected: Vec<Option<CellId>>,
     /// Calls since a sample was accepted.
     pub(super) coasted: CellId,
 }

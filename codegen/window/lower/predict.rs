@@ -3,6 +3,7 @@
 //! The part that was known at the end of the last call stands in a cell; the inputs since then are
 //! added, and once the injections that run between samples are known, their rise.
 
+use crate::front::folded;
 use crate::program::Value;
 
 use super::super::Part;
@@ -31,7 +32,8 @@ pub(super) enum Factor {
 }
 
 impl Lowering<'_> {
-    /// What an output should measure now, with the signals that are known before the sample is.
+    /// What an output should measure now, with the signals that are known before the sample is; of one that wraps and
+    /// is not late, how far it should have moved: [`Lowering::placed`].
     pub(super) fn predict(&mut self, output: usize, signals: &[Option<Value>]) -> Value {
         if let Some(slot) = self.cells.late[output] {
             let slot = self.builder.read(slot);
@@ -51,6 +53,14 @@ impl Lowering<'_> {
             }
         }
         sum
+    }
+
+    /// Where an output should be, from what [`Lowering::predict`] says and the sample of the call before.
+    pub(super) fn placed(&mut self, output: usize, predicted: Value, last: Value) -> Value {
+        let sensor = &self.plant.outputs[output];
+        let on_time = sensor.wrap.is_some() && self.functional.delays[output] == 0;
+        let place = if on_time { self.builder.add(last, predicted) } else { predicted };
+        folded(&mut self.builder, sensor, place, self.plant.scalar)
     }
 
     /// What a value counts that is held over the step; of a start, with its end's.

@@ -21,6 +21,9 @@ pub(crate) struct Standing {
 
 impl Lowering<'_> {
     /// Keeps what the next prediction needs.
+    ///
+    /// The estimate is less the newest samples of outputs that wrap. That moves no other output; of the output itself
+    /// it leaves how far it will move, and for a late one, whose sample comes later, its newest sample is added.
     pub(crate) fn look_ahead(&mut self, estimate: &[Value], sampled: &Sampled) {
         self.builder.section("the next measurement, as far as it is known");
         for o in 0..self.plant.outputs.len() {
@@ -41,8 +44,11 @@ impl Lowering<'_> {
             if prediction.constant != Settled::default() {
                 terms.push(self.constant(prediction.constant));
             }
-            let sum = self.builder.sum(&terms);
+            let mut sum = self.builder.sum(&terms);
             if let Some(slot) = self.cells.late[o] {
+                if self.plant.outputs[o].wrap.is_some() {
+                    sum = self.builder.add(sum, sampled.outputs[o]);
+                }
                 let len = late_len(self.functional, o);
                 let before = self.builder.read(slot);
                 let before = self.builder.at_most(before, len - 1);
@@ -57,21 +63,39 @@ impl Lowering<'_> {
 
     /// The estimate where it is known, else the start; and how far it can be trusted.
     pub(crate) fn report(&mut self, estimate: &[Value], sampled: &Sampled, standing: &Standing) {
+        self.show(estimate, sampled, standing.known, "");
+        self.stand(standing);
+    }
+
+    /// Estimates under the states' names, with something behind them; where they are not known, the start.
+    pub(super) fn show(&mut self, estimate: &[Value], sampled: &Sampled, known: Value, behind: &str) {
         let mut answer = Vec::new();
         for (i, estimate) in estimate.iter().enumerate() {
             let start = start(&mut self.builder, self.plant, i, &sampled.outputs);
-            answer.push(self.builder.select(standing.known, *estimate, start));
+            answer.push(self.builder.select(known, *estimate, start));
         }
         if let Some(ahead) = self.ahead {
             let injections = Injections::new(self.plant, self.cells.calls, sampled.inputs.clone());
             answer = ahead.moved(&mut self.builder, self.plant, &answer, &injections, &sampled.outputs);
         }
         for (state, value) in self.plant.states.iter().zip(answer) {
-            self.builder.estimate(field(&state.label.name, &state.label.unit, &state.label.doc), value);
+            let name = format!("{}{behind}", state.label.name);
+            self.builder.estimate(field(&name, &state.label.unit, &state.label.doc), value);
         }
+    }
+
+    /// The status.
+    pub(super) fn stand(&mut self, standing: &Standing) {
         let coasting = self.replaced.unwrap_or_else(|| self.builder.read(self.cells.coasting));
-        let none = self.builder.index(0);
-        let mut clean = self.builder.index_equal(coasting, none);
+        // A replaced sample leaves the shortest window first; the count is of the longest.
+        let longer = self.kept() - self.window();
+        let mut clean = if longer == 0 {
+            let none = self.builder.index(0);
+            self.builder.index_equal(coasting, none)
+        } else {
+            let left = self.builder.index(longer + 1);
+            self.builder.index_less(coasting, left)
+        };
         if let Some(renewed) = standing.renewed {
             clean = self.builder.and(renewed, clean);
         }

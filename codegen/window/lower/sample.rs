@@ -24,7 +24,7 @@ pub(super) struct Signals<'a> {
 impl<'a> Lowering<'a> {
     /// Reads, guards, predicts and evaluates.
     pub(crate) fn sample(&mut self) -> Sampled {
-        let window = self.window();
+        let window = self.kept();
         self.builder.section("samples: outside its range, infinite or NaN means missing");
         let before = self.builder.read(self.cells.newest);
         let before = self.builder.at_most(before, window - 1);
@@ -33,7 +33,7 @@ impl<'a> Lowering<'a> {
         let outputs = self.plant.outputs.len();
         let read = (0..outputs).map(|o| self.read_output(o)).collect();
         let mut signals = self.read_signals(before);
-        let (measured, good): (Vec<Value>, Vec<Value>) =
+        let (measured, mut good): (Vec<Value>, Vec<Value>) =
             self.without_inputs(read, &signals.injections.inputs).into_iter().unzip();
 
         self.builder.section("prediction, for a sample that is missing");
@@ -42,13 +42,15 @@ impl<'a> Lowering<'a> {
         let predicted: Vec<Value> = (0..outputs).map(|o| self.predict(o, &signals.values)).collect();
         let last: Vec<Value> =
             self.cells.outputs.clone().iter().map(|kept| kept.read(&mut self.builder, before)).collect();
+        let place: Vec<Value> = (0..outputs).map(|o| self.placed(o, predicted[o], last[o])).collect();
+        let again = self.gate(&measured, &place, &mut good, count);
         let candidates: Vec<Value> = (0..outputs)
             .map(|o| {
                 // The injections are guarded for samples within the range; so must be what stands in for one.
                 let (low, high) = self.guard.outputs[o];
-                let sane = self.builder.in_range(predicted[o], low, high);
+                let sane = self.builder.in_range(place[o], low, high);
                 let usable = self.builder.and(converged, sane);
-                let instead = self.builder.select(usable, predicted[o], last[o]);
+                let instead = self.builder.select(usable, place[o], last[o]);
                 self.builder.select(good[o], measured[o], instead)
             })
             .collect();
@@ -58,6 +60,7 @@ impl<'a> Lowering<'a> {
         let stored = (0..outputs)
             .map(|o| {
                 let refined = self.refine(o, predicted[o], &values, before);
+                let refined = self.placed(o, refined, last[o]);
                 let (low, high) = self.guard.outputs[o];
                 let sane = self.builder.in_range(refined, low, high);
                 // A late sample is predicted from an estimate of some calls ago, which must have converged.
@@ -87,6 +90,7 @@ impl<'a> Lowering<'a> {
             newest_good,
             late,
             lost,
+            again,
             outputs: stored,
             signals: values,
             inputs: signals.injections.inputs,

@@ -5,16 +5,21 @@
 //! out. As long as there are few (state, signal) pairs, one loop serves all signals and each pair
 //! has a sum of its own, so that the additions of one do not wait for those of another; else each
 //! signal has its loop, and the sums of the states run through all of them.
+//!
+//! Of an output that wraps, differences to the newest sample are summed, each folded into half a turn. Its weights
+//! for a state add up to the direction of the turn, so that what is left out is that times the newest sample, and the
+//! newest sample's own weight is not needed.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
 
+use crate::front::fold;
 use crate::plant::Plant;
 use crate::program::Value;
 use crate::program::builder::Builder;
 
 use super::super::{Functional, Weights};
 use super::cells::Kept;
-use super::window_len;
 
 /// Ages from which on a loop is shorter than its contents.
 const SHORTEST_LOOP: usize = 8;
@@ -26,27 +31,61 @@ struct Track<'a> {
     name: String,
     kept: Kept,
     weights: &'a Weights,
+    anchor: Option<Anchor>,
+}
+
+/// What an output's samples are subtracted from.
+#[derive(Clone, Copy, Debug)]
+pub struct Anchor {
+    /// The newest sample.
+    pub newest: Value,
+    /// One turn, in the output's unit.
+    pub turn: f64,
+}
+
+impl Track<'_> {
+    /// The ages whose samples are summed.
+    fn ages(&self) -> Range<usize> {
+        let ages = self.weights.ages();
+        if self.anchor.is_some() { ages.start.max(1)..ages.end.max(1) } else { ages }
+    }
+
+    /// What is summed of the sample at a slot.
+    fn sample(&self, b: &mut Builder, slot: Value) -> Value {
+        let sample = self.kept.read(b, slot);
+        let Some(anchor) = self.anchor else { return sample };
+        let moved = b.sub(sample, anchor.newest);
+        fold(b, moved, anchor.turn)
+    }
 }
 
 /// Running sums by state and, where there are few, by track.
 type Sums = BTreeMap<(usize, usize), Value>;
 
-/// The estimate of each state from the whole window.
+/// The estimate of each state from the whole window; rings of `len` samples hold it, or more than it. Of outputs with
+/// an anchor it is less their newest sample times the direction of their turn.
 pub fn estimate(
     b: &mut Builder,
     plant: &Plant,
     functional: &Functional,
     (outputs, signals): (&[Kept], &[Kept]),
-    newest: Value,
+    anchors: &[Option<Anchor>],
+    (newest, len): (Value, u32),
 ) -> Vec<Value> {
-    b.section("the sums over the window, newest sample first");
-    let measured = plant.outputs.iter().zip(&functional.outputs).zip(outputs);
+    let measured = plant.outputs.iter().zip(&functional.outputs).zip(outputs.iter().zip(anchors));
     let known = functional.signals.iter().zip(&functional.knowns).zip(signals);
     let tracks: Vec<Track> = measured
-        .map(|((output, weights), kept)| Track { name: output.label.name.clone(), kept: *kept, weights })
-        .chain(known.map(|((signal, weights), kept)| Track { name: signal.text.clone(), kept: *kept, weights }))
+        .map(|((output, weights), (kept, anchor))| {
+            let name = output.label.name.clone();
+            Track { name, kept: *kept, weights, anchor: *anchor }
+        })
+        .chain(known.map(|((signal, weights), kept)| Track {
+            name: signal.text.clone(),
+            kept: *kept,
+            weights,
+            anchor: None,
+        }))
         .collect();
-    let len = window_len(functional);
     let apart = pairs(&tracks) <= MOST_SUMS;
     let loops = if apart { 1 } else { tracks.len().max(1) };
     let mut sums = Sums::new();
@@ -79,10 +118,7 @@ fn pairs(tracks: &[Track]) -> usize {
 
 /// Ages between which no signal begins or ends.
 fn segments(tracks: &[Track]) -> Vec<(usize, usize)> {
-    let ends = tracks
-        .iter()
-        .filter(|t| !t.weights.ages().is_empty())
-        .flat_map(|t| [t.weights.ages().start, t.weights.ages().end]);
+    let ends = tracks.iter().filter(|t| !t.ages().is_empty()).flat_map(|t| [t.ages().start, t.ages().end]);
     let ends: Vec<usize> = ends.chain([0]).collect::<BTreeSet<_>>().into_iter().collect();
     ends.windows(2).map(|pair| (pair[0], pair[1])).collect()
 }
@@ -93,7 +129,7 @@ struct Window<'a> {
     /// Whether each track has sums of its own.
     apart: bool,
     sums: Sums,
-    /// Ring length, N+1.
+    /// Ring length.
     len: u32,
     /// Slot of the age that comes next.
     slot: Value,
@@ -108,7 +144,7 @@ impl Window<'_> {
     fn active(&self, age: usize) -> Vec<(usize, Vec<usize>)> {
         let states =
             |t: &Track| (0..self.plant.states.len()).filter(|i| t.weights.columns[*i].is_some()).collect::<Vec<_>>();
-        let here = self.tracks.iter().enumerate().filter(|(_, t)| t.weights.ages().contains(&age));
+        let here = self.tracks.iter().enumerate().filter(|(_, t)| t.ages().contains(&age));
         here.map(|(place, t)| (place, states(t))).filter(|(_, states)| !states.is_empty()).collect()
     }
 
@@ -119,7 +155,7 @@ impl Window<'_> {
     fn written_out(&mut self, b: &mut Builder, begin: usize, end: usize) {
         for age in begin..end {
             for (track, states) in self.active(age) {
-                let sample = self.tracks[track].kept.read(b, self.slot);
+                let sample = self.tracks[track].sample(b, self.slot);
                 for state in states {
                     let weight = b.float(self.weight(track, state, age));
                     let product = b.mul(weight, sample);
@@ -162,7 +198,7 @@ impl Window<'_> {
             let mut sums: Sums = keys.iter().copied().zip(carried.iter().copied()).collect();
             let mut column = 0;
             for (track, states) in &active {
-                let sample = self.tracks[*track].kept.read(b, slot);
+                let sample = self.tracks[*track].sample(b, slot);
                 for state in states {
                     let weight = b.gain(column);
                     let product = b.mul(weight, sample);

@@ -21,7 +21,7 @@ impl Lowering<'_> {
         let outputs = self.plant.outputs.len();
         let read = (0..outputs).map(|o| self.read_output(o)).collect();
         let mut signals = self.read_signals(before);
-        let (measured, good): (Vec<Value>, Vec<Value>) =
+        let (measured, mut good): (Vec<Value>, Vec<Value>) =
             self.without_inputs(read, &signals.injections.inputs).into_iter().unzip();
         let newest = self.builder.advance(before, window);
         let feeds = self.feeds();
@@ -31,10 +31,11 @@ impl Lowering<'_> {
             self.known_before_the_samples(&mut signals, before);
             self.foresee(&signals.values, before)
         });
-        let (good, mut lost) = match &foreseen {
-            Some(state) if gated => self.gate((&measured, &good), state),
-            _ => (good, Vec::new()),
-        };
+        let again = foreseen.as_ref().filter(|_| gated).and_then(|state| {
+            let place: Vec<Value> = (0..outputs).map(|o| self.stand_in(o, state).0).collect();
+            let count = self.builder.read(self.cells.count);
+            self.gate(&measured, &place, &mut good, count)
+        });
         let (zero, one) = (self.builder.float(0.0), self.builder.float(1.0));
         let slots: Vec<(Value, Value)> = (0..outputs).map(|o| self.slot(o, before, newest)).collect();
         let used: Vec<Value> = (0..outputs)
@@ -58,11 +59,10 @@ impl Lowering<'_> {
         self.known_with_the_samples(&mut signals, before, &used);
         let Signals { injections, values, now, since } = signals;
         let values: Vec<Value> = values.into_iter().flatten().collect();
-        let (outputs, runs_away) = match foreseen {
+        let (outputs, lost) = match foreseen {
             Some(_) if feeds.contains(&true) => self.settle_stand_ins(&feeds, (&measured, &good), &used, &values),
             _ => (used, Vec::new()),
         };
-        lost.extend(runs_away);
         let lost = any(&mut self.builder, &lost);
         let coasted = self.plant.coasted.then(|| self.coasted(&good));
         let samples_good = self.builder.boolean(true);
@@ -76,6 +76,7 @@ impl Lowering<'_> {
             newest_good,
             late,
             lost,
+            again,
             outputs,
             signals: values,
             inputs: injections.inputs,
@@ -83,39 +84,6 @@ impl Lowering<'_> {
             slots: slots.into_iter().map(|(_, slot)| slot).collect(),
             coasted,
         }
-    }
-
-    /// Samples that are near what the model predicts, where there is an estimate; and whether to start again, after
-    /// too many in a row that were not.
-    fn gate(&mut self, (measured, good): (&[Value], &[Value]), state: &[Value]) -> (Vec<Value>, Vec<Value>) {
-        let plant = self.plant;
-        let known = self.known();
-        let unknown = self.builder.not(known);
-        let (mut accepted, mut lost) = (good.to_vec(), Vec::new());
-        for (o, output) in plant.outputs.iter().enumerate() {
-            let (Some(gate), Some(cell)) = (&output.gate, self.memory().rejected[o]) else { continue };
-            let size = round(&gate.size, plant.scalar);
-            let limit = gate.limit.unwrap_or(self.window() - 1).max(1);
-            let predicted = self.shown(o, state);
-            let b = &mut self.builder;
-            let off = b.sub(measured[o], predicted);
-            let off = front::folded(b, output, off, plant.scalar);
-            let near = b.in_range(off, -size, size);
-            let believed = b.or(near, unknown);
-            accepted[o] = b.and(good[o], believed);
-            let far = b.not(believed);
-            let rejected = b.and(good[o], far);
-            let (none, before) = (b.index(0), b.read(cell));
-            let more = b.count_up(before, limit);
-            let kept = b.select(accepted[o], none, before);
-            let count = b.select(rejected, more, kept);
-            let last = b.index(limit - 1);
-            let over = b.index_less(last, count);
-            let count = b.select(over, none, count);
-            b.set(cell, count);
-            lost.push(over);
-        }
-        (accepted, lost)
     }
 
     /// Calls since a sample was accepted.
@@ -235,7 +203,7 @@ impl Lowering<'_> {
     }
 
     /// Whether the last call had an estimate.
-    fn known(&mut self) -> Value {
+    pub(super) fn known(&mut self) -> Value {
         let known = self.memory().known;
         let (known, one) = (self.builder.read(known), self.builder.index(1));
         self.builder.index_equal(known, one)

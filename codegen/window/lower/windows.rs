@@ -1,0 +1,38 @@
+//! Several windows over one ring of samples: a sum for each, and what is shown until the longer ones are full.
+
+use super::count::settled;
+use super::{Lowering, Sampled, Standing, window_len};
+use crate::program::Value;
+
+impl Lowering<'_> {
+    /// The longer windows, the prediction, the estimates and the status; `shortest` is the shortest window's estimate.
+    ///
+    /// A window that is not full yet shows what the next shorter one shows, so that the last of them is at any time
+    /// the estimate of the longest window that is full; missing samples are predicted from it.
+    pub(super) fn windows(&mut self, shortest: &[Value], sampled: &Sampled, count: Value) {
+        let functional = self.functional;
+        let mut full = vec![self.counted(count, self.window())];
+        let mut estimates = vec![shortest.to_vec()];
+        for longer in &functional.longer {
+            let text = format!("the sums over a window of {} samples", longer.functional.steps + 1);
+            self.builder.section(&text);
+            let sums = self.summed(&longer.functional, sampled);
+            let here = self.counted(count, window_len(&longer.functional));
+            let shorter = &estimates[estimates.len() - 1];
+            let values =
+                sums.iter().zip(shorter).map(|(sum, shorter)| self.builder.select(here, *sum, *shorter)).collect();
+            full.push(here);
+            estimates.push(values);
+        }
+        self.look_ahead(&estimates[estimates.len() - 1], sampled);
+        self.builder.section("the estimates, shortest window first; until one is full, the start");
+        let known = full[0];
+        for (place, estimate) in estimates.iter().enumerate() {
+            let estimate = self.at_the_newest(estimate, sampled);
+            let behind = if place == 0 { String::new() } else { format!("_{}", place + 1) };
+            self.show(&estimate, sampled, known, &behind);
+        }
+        let determined = self.counted(count, settled(functional));
+        self.stand(&Standing { known, determined, renewed: None });
+    }
+}
