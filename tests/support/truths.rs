@@ -14,7 +14,7 @@ pub fn truth(name: &str) -> Option<Truth> {
         "dc_motor" | "motor_single_delay" | "motor_intermittent" | "motor_recursive" | "luenberger" => dc_motor(),
         "motor_continuous" => smooth_motor(),
         "differentiator" => integrators(&[2.0, 3.0, 5.0, 5.0]),
-        "differentiator_encoder" | "lossy_encoder" | "three_windows" => integrators(&[0.5, 2.0, 5.0]),
+        "differentiator_encoder" | "edge_times" | "lossy_encoder" | "three_windows" => integrators(&[0.5, 2.0, 5.0]),
         // A ramp, whose backward differences are its derivatives.
         "differentiator_euler" => {
             Truth { start: vec![(290.0, 310.0), (-0.05, 0.05), (0.0, 0.0)], ..integrators(&[0.0; 3]) }
@@ -22,7 +22,7 @@ pub fn truth(name: &str) -> Option<Truth> {
         "pll" | "low_pass" | "adaptive_window" => integrators(&[2.0, 20.0]),
         "alpha_beta" => integrators(&[100.0, 5.0]),
         "alpha_beta_gamma" => integrators(&[0.1, 0.5, 2.0]),
-        "drive_irregular" => drive_irregular(),
+        "drive_irregular" | "bus_sensor" => drive_irregular(),
         "drive_prescribed" => drive_prescribed(),
         "fixed_time_linear" => shaker(),
         "inverted_cart" => inverted_cart(0.3),
@@ -238,7 +238,7 @@ fn lossy_arm() -> Truth {
     Truth {
         discrete: false,
         change: Box::new(|_, x, u| vec![x[1], 8.0 * u[0] - 35.0 * x[0].sin() - x[1]]),
-        outputs: Box::new(|x| vec![x[0]]),
+        outputs: Box::new(|x, _| vec![x[0]]),
         delays: vec![0.0],
         holds: vec![Hold::Zero],
         start: vec![(-0.5, 0.5), (-2.0, 2.0)],
@@ -251,7 +251,7 @@ fn two_rates() -> Truth {
     Truth {
         discrete: false,
         change: Box::new(|_, x, u| vec![x[1], u[0] / 2.5 - 0.8 * x[1] + x[2], 0.0]),
-        outputs: Box::new(|x| vec![x[0], x[1]]),
+        outputs: Box::new(|x, _| vec![x[0], x[1]]),
         delays: vec![0.02, 0.0],
         holds: vec![Hold::Zero],
         start: vec![(-1.0, 1.0), (-1.0, 1.0), (-0.5, 0.5)],

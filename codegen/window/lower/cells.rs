@@ -172,7 +172,13 @@ fn memory(builder: &mut Builder, plant: &Plant, functional: &Functional) -> Memo
     });
     let late = late.collect();
     let coasted = builder.index_cell("since", "calls since a sample was accepted", 0);
-    Memory { present, next, known, late, coasted }
+    let ages = plant.outputs.iter().map(|output| {
+        let name = &output.label.name;
+        let (cell, doc) = (format!("age_{name}"), format!("ages of these over the oldest, of {name} by slot"));
+        output.aged.as_ref().map(|_| builder.ring(&cell, &doc, window, 0.0))
+    });
+    let ages = ages.collect();
+    Memory { present, next, known, late, coasted, ages }
 }
 
 pub(crate) fn bracketed(unit: &str) -> String {

@@ -97,6 +97,7 @@ impl<'a> Lowering<'a> {
             present: Vec::new(),
             slots: Vec::new(),
             coasted: None,
+            ages: Vec::new(),
         }
     }
 

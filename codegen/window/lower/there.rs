@@ -7,9 +7,9 @@ use crate::program::Value;
 
 use super::super::{Part, Source};
 use super::injections::round;
-use super::irregular::Memory;
+use super::irregular::{Memory, acted};
 use super::sample::{Signals, all, any, gone};
-use super::{Lowering, Sampled};
+use super::{Lowering, Sampled, place};
 
 impl Lowering<'_> {
     /// Reads, guards and evaluates.
@@ -24,6 +24,7 @@ impl Lowering<'_> {
         let (measured, mut good): (Vec<Value>, Vec<Value>) =
             self.without_inputs(read, &signals.injections.inputs).into_iter().unzip();
         let newest = self.builder.advance(before, window);
+        let ages = self.read_ages(&mut good);
         let feeds = self.feeds();
         let gated = self.plant.outputs.iter().any(|output| output.gate.is_some());
         let foreseen = (gated || feeds.contains(&true)).then(|| {
@@ -32,9 +33,9 @@ impl Lowering<'_> {
             self.foresee(&signals.values, before)
         });
         let again = foreseen.as_ref().filter(|_| gated).and_then(|state| {
-            let place: Vec<Value> = (0..outputs).map(|o| self.stand_in(o, state).0).collect();
+            let places: Vec<Value> = (0..outputs).map(|o| self.stand_in(o, state).0).collect();
             let count = self.builder.read(self.cells.count);
-            self.gate(&measured, &place, &mut good, count)
+            self.gate(&measured, &places, &mut good, count)
         });
         let (zero, one) = (self.builder.float(0.0), self.builder.float(1.0));
         let slots: Vec<(Value, Value)> = (0..outputs).map(|o| self.slot(o, before, newest)).collect();
@@ -59,6 +60,7 @@ impl Lowering<'_> {
         self.known_with_the_samples(&mut signals, before, &used);
         let Signals { injections, values, now, since } = signals;
         let values: Vec<Value> = values.into_iter().flatten().collect();
+        let used = self.at_the_call(used, &good, &ages, (&slots, &values));
         let (outputs, lost) = match foreseen {
             Some(_) if feeds.contains(&true) => self.settle_stand_ins(&feeds, (&measured, &good), &used, &values),
             _ => (used, Vec::new()),
@@ -83,7 +85,60 @@ impl Lowering<'_> {
             present,
             slots: slots.into_iter().map(|(_, slot)| slot).collect(),
             coasted,
+            ages,
         }
+    }
+
+    /// Per output whose samples come with their ages: that over the oldest, 0 where there is no sample; one that is too
+    /// old, or of no known age, is missing.
+    fn read_ages(&mut self, good: &mut [Value]) -> Vec<Option<Value>> {
+        let Some(irregular) = &self.functional.irregular else { return Vec::new() };
+        let (mut ages, mut field, scalar) = (Vec::new(), self.plant.outputs.len(), self.plant.scalar);
+        for (law, good) in irregular.ages.iter().zip(good) {
+            let Some(law) = law else {
+                ages.push(None);
+                continue;
+            };
+            let b = &mut self.builder;
+            let age = b.read_measurement(place(field));
+            field += 1;
+            let young = b.in_range(age, 0.0, law.oldest(scalar));
+            *good = b.and(*good, young);
+            if !self.functional.signals.is_empty() {
+                // Nobody says what acted on the plant before the first call.
+                let (calls, none) = (b.read(self.cells.calls), b.index(0));
+                let later = b.index_less(none, calls);
+                *good = b.and(*good, later);
+            }
+            let scale = b.float(law.scale.value(scalar));
+            let share = b.mul(age, scale);
+            let none = b.float(0.0);
+            ages.push(Some(b.select(*good, share, none)));
+        }
+        ages
+    }
+
+    /// Samples with an age as if nothing had acted on the plant since then.
+    fn at_the_call(
+        &mut self,
+        used: Vec<Value>,
+        good: &[Value],
+        ages: &[Option<Value>],
+        (slots, signals): (&[(Value, Value)], &[Value]),
+    ) -> Vec<Value> {
+        let Some(irregular) = &self.functional.irregular else { return used };
+        let mut moved = used;
+        for (o, age) in ages.iter().enumerate() {
+            let (Some(age), Some(law)) = (age, &irregular.ages[o]) else { continue };
+            let kept = self.cells.signals.clone();
+            let before: Vec<Value> = kept.iter().map(|kept| kept.read(&mut self.builder, slots[o].0)).collect();
+            let b = &mut self.builder;
+            if let Some(share) = acted(b, self.plant.scalar, law, *age, (&before, signals)) {
+                let sample = b.add(moved[o], share);
+                moved[o] = b.select(good[o], sample, moved[o]);
+            }
+        }
+        moved
     }
 
     /// Calls since a sample was accepted.
