@@ -70,11 +70,6 @@ pub fn json(generated: &Generated) -> Value {
         },
         "warnings": warnings,
     });
-    let phases = phases(design);
-    if !phases.is_empty() {
-        let phase = |it: &Phase| json!({ "noise_gain_l1": it.noise_gain_l1, "noise_gain_l2": it.noise_gain_l2 });
-        all["phases"] = phases.iter().map(phase).collect();
-    }
     if let Shape::Window(functional) = &design.shape
         && !functional.longer.is_empty()
     {
@@ -84,7 +79,22 @@ pub fn json(generated: &Generated) -> Value {
             .map(|(steps, certificate)| json!({ "window_steps": steps, "certificate": promised(certificate) }))
             .collect();
     }
+    let phases = phases(design);
+    if !phases.is_empty() {
+        let phase = |it: &Phase| json!({ "noise_gain_l1": it.noise_gain_l1, "noise_gain_l2": it.noise_gain_l2 });
+        all["phases"] = phases.iter().map(phase).collect();
+    }
     all
+}
+
+fn promised(certificate: &Certificate) -> Value {
+    json!({
+        "noise_gain_l1": certificate.noise_gain_l1,
+        "noise_gain_l2": certificate.noise_gain_l2,
+        "disturbance_gain_l1": certificate.disturbance_gain_l1,
+        "error_bound": certificate.error_bound,
+        "initial_gain": certificate.initial_gain,
+    })
 }
 
 /// Gains by phase, where outputs are measured at rates of their own.
@@ -118,16 +128,6 @@ fn by_phase(generated: &Generated) -> String {
         let _ = writeln!(text, "  …; `--format json` has them all");
     }
     text
-}
-
-fn promised(certificate: &Certificate) -> Value {
-    json!({
-        "noise_gain_l1": certificate.noise_gain_l1,
-        "noise_gain_l2": certificate.noise_gain_l2,
-        "disturbance_gain_l1": certificate.disturbance_gain_l1,
-        "error_bound": certificate.error_bound,
-        "initial_gain": certificate.initial_gain,
-    })
 }
 
 fn realization(realization: &Realization) -> Value {

@@ -27,7 +27,7 @@ mod several;
 use std::ops::Range;
 use std::sync::Arc;
 
-use super::{Cannot, Feature, Keyed, Method, NOT_YET};
+use super::{Cannot, Feature, Keyed, Method};
 use crate::decimal::show;
 use crate::describe::short;
 use crate::design::{Convergence, Design, Fir, NamedMatrix, Shape};
@@ -128,8 +128,8 @@ impl Keyed for Keys {
             return left_out::cannot(feature, plant);
         }
         match feature {
-            Feature::Wrap | Feature::Gate | Feature::Ahead => None,
-            _ => Some(NOT_YET),
+            Feature::Wrap | Feature::Counter | Feature::Gate | Feature::Coasted | Feature::Ahead => None,
+            _ => super::not_yet(feature),
         }
     }
 

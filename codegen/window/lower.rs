@@ -28,6 +28,7 @@ mod windows;
 use crate::ahead::Ahead;
 use crate::design::Settled;
 use crate::diagnostic::Diagnostic;
+use crate::front::measurement;
 use crate::plant::Plant;
 use crate::program::builder::Builder;
 use crate::program::{Field, Kind, Program, Value};
@@ -68,6 +69,8 @@ pub(crate) struct Sampled {
     again: Option<Value>,
     /// Per output: what enters the window.
     outputs: Vec<Value>,
+    /// Per output, where it is kept as a count: that.
+    counts: Vec<Option<Value>>,
     /// Per signal: what enters the window.
     signals: Vec<Value>,
     /// Per input: what was used.
@@ -104,7 +107,7 @@ impl<'a> Lowering<'a> {
             Builder::new(&plant.name, plant.scalar, injections::round(&plant.sample_time.0, plant.scalar));
         let cells = cells::declare(&mut builder, plant, functional);
         for output in &plant.outputs {
-            builder.measurement(field(&output.label.name, &output.label.unit, &output.label.doc));
+            builder.measurement(measurement(output));
         }
         for output in plant.outputs.iter().filter(|output| output.aged.is_some()) {
             builder.measurement(field(&format!("{}_age", output.label.name), "s", "how old the sample is"));
@@ -130,9 +133,6 @@ impl<'a> Lowering<'a> {
             self.builder.section("the estimate; until there is one, the start");
             let (known, renewed) = (answer.usable, Some(answer.enough));
             self.report(&answer.estimate, &sampled, &Standing { known, determined: known, renewed });
-            if let Some(coasted) = sampled.coasted {
-                self.builder.estimate(field("coasted", "", "calls since the newest accepted sample"), coasted);
-            }
             return;
         }
         // Of outputs that wrap, less their newest sample.
@@ -165,10 +165,11 @@ impl<'a> Lowering<'a> {
     /// The estimate of each state by one sum over a window.
     fn summed(&mut self, functional: &Functional, sampled: &Sampled) -> Vec<Value> {
         let kept = (self.cells.outputs.as_slice(), self.cells.signals.as_slice());
-        let anchors: Vec<Option<Anchor>> = (self.plant.outputs.iter().zip(&sampled.outputs))
+        let newest = sampled.outputs.iter().zip(&sampled.counts).map(|(value, count)| count.unwrap_or(*value));
+        let anchors: Vec<Option<Anchor>> = (self.plant.outputs.iter().zip(newest))
             .map(|(output, newest)| {
                 let turn = injections::round(&output.wrap.as_ref()?.turn, self.plant.scalar);
-                Some(Anchor { newest: *newest, turn })
+                Some(Anchor { newest, turn })
             })
             .collect();
         let place = (sampled.newest, kept_len(self.functional));
@@ -213,9 +214,10 @@ impl<'a> Lowering<'a> {
     pub(crate) fn store(&mut self, sampled: &Sampled) {
         self.builder.section("into the window");
         self.builder.set(self.cells.newest, sampled.newest);
-        for (o, (kept, value)) in self.cells.outputs.iter().zip(&sampled.outputs).enumerate() {
+        let kept = self.cells.outputs.iter().zip(&sampled.outputs).zip(&sampled.counts);
+        for (o, ((kept, value), count)) in kept.enumerate() {
             let slot = sampled.slots.get(o).copied().unwrap_or(sampled.newest);
-            kept.write(&mut self.builder, slot, *value);
+            kept.write(&mut self.builder, slot, count.unwrap_or(*value));
             if slot != sampled.newest && self.plant.outputs[o].wrap.is_some() {
                 // Until the sample of now comes, nothing has moved.
                 kept.write(&mut self.builder, sampled.newest, *value);

@@ -254,6 +254,7 @@ impl Run {
             let mut measurements = measurements.clone();
             measurements.resize(generated.program.measurements.len(), 0.0);
             answers.statuses.push(interpreter.step(&measurements, inputs, &mut estimate));
+            estimate.truncate(generated.plant.states.len());
             answers.estimates.push(estimate);
         }
         answers

@@ -136,8 +136,8 @@ impl Keys {
             refuse(&self.missing.1, message, "leave out `missing`, or `every` and `age`");
         }
         if let Some(second) = self.windows.get(1) {
-            let message = "one window is solved for, not several";
-            refuse(&second.span(), message, "one length for `window`, or `missing = \"predicted\"`");
+            let message = "samples that are left out are so of one window";
+            refuse(&second.span(), message, "one window, or `missing = \"predicted\"`");
         }
         if self.weighting == Weighting::Minimax {
             let message = "minimax weights are of all samples of a window";
@@ -146,6 +146,10 @@ impl Keys {
         if self.wanted != Wanted::Auto {
             let message = "samples that are left out can be computed in one way only";
             refuse(&self.wanted_span, message, "leave out `realization`, or write `missing = \"predicted\"`");
+        }
+        if let Some(second) = self.windows.get(1) {
+            let message = "samples that are left out have one window";
+            refuse(&second.span(), message, "write one length, or `missing = \"predicted\"`");
         }
         if self.hold.0 == Between::Cubics {
             let message = "no cubic runs through samples that are left out";

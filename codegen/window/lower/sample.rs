@@ -43,7 +43,9 @@ impl<'a> Lowering<'a> {
         let last: Vec<Value> =
             self.cells.outputs.clone().iter().map(|kept| kept.read(&mut self.builder, before)).collect();
         let place: Vec<Value> = (0..outputs).map(|o| self.placed(o, predicted[o], last[o])).collect();
-        let again = self.gate(&measured, &place, &mut good, count);
+        let distance: Vec<Value> =
+            (0..outputs).map(|o| self.distance(o, (measured[o], place[o]), predicted[o], before)).collect();
+        let again = self.doubt(&distance, &place, &mut good, count);
         let candidates: Vec<Value> = (0..outputs)
             .map(|o| {
                 // The injections are guarded for samples within the range; so must be what stands in for one.
@@ -57,22 +59,26 @@ impl<'a> Lowering<'a> {
         self.known_with_the_samples(&mut signals, before, &candidates);
         let values: Vec<Value> = signals.values.into_iter().flatten().collect();
         let mut lost = Vec::new();
-        let stored = (0..outputs)
+        let (stored, counts) = (0..outputs)
             .map(|o| {
-                let refined = self.refine(o, predicted[o], &values, before);
-                let refined = self.placed(o, refined, last[o]);
+                let further = self.refine(o, predicted[o], &values, before);
+                let refined = self.placed(o, further, last[o]);
                 let (low, high) = self.guard.outputs[o];
                 let sane = self.builder.in_range(refined, low, high);
                 // A late sample is predicted from an estimate of some calls ago, which must have converged.
                 let known = self.had_converged(count, late_len(self.functional, o).max(1));
                 let usable = self.builder.and(known, sane);
-                let instead = self.builder.select(usable, refined, last[o]);
                 let covered = self.builder.or(good[o], usable);
                 lost.push(self.builder.not(covered));
-                self.builder.select(good[o], measured[o], instead)
+                if let Some(stored) = self.counted_further(o, (good[o], usable), further, before) {
+                    return stored;
+                }
+                let instead = self.builder.select(usable, refined, last[o]);
+                (self.builder.select(good[o], measured[o], instead), None)
             })
-            .collect();
+            .unzip();
 
+        let coasted = self.cells.coasted.map(|cell| self.coasted(cell, &good));
         let patience = |o: usize| window - late_len(self.functional, o);
         let missed: Vec<_> = self.cells.missed.iter().enumerate().map(|(o, cell)| (*cell, patience(o))).collect();
         lost.extend(abandoned(&mut self.builder, &missed, &good));
@@ -92,11 +98,12 @@ impl<'a> Lowering<'a> {
             lost,
             again,
             outputs: stored,
+            counts,
             signals: values,
             inputs: signals.injections.inputs,
             present: Vec::new(),
             slots: Vec::new(),
-            coasted: None,
+            coasted,
             ages: Vec::new(),
         }
     }
@@ -121,6 +128,38 @@ impl<'a> Lowering<'a> {
             expected.push(self.builder.or(good, foreseen));
         }
         expected
+    }
+
+    /// How far a sample is from the place that it should have.
+    fn distance(&mut self, output: usize, (measured, place): (Value, Value), predicted: Value, before: Value) -> Value {
+        let (sensor, scalar, b) = (&self.plant.outputs[output], self.plant.scalar, &mut self.builder);
+        let distance = match self.cells.outputs[output].count(b, before) {
+            Some((last, counts)) => {
+                let now = b.read_count(super::place(output));
+                let moved = counts.moved(b, now, last);
+                b.sub(moved, predicted)
+            }
+            None => b.sub(measured, place),
+        };
+        front::folded(b, sensor, distance, scalar)
+    }
+
+    /// What enters the window of an output that is kept as a count, in its unit and as that: the sample if it is good,
+    /// else the count that is nearest to so much further than the last one, if that is usable.
+    fn counted_further(
+        &mut self,
+        output: usize,
+        (good, usable): (Value, Value),
+        further: Value,
+        before: Value,
+    ) -> Option<(Value, Option<Value>)> {
+        let b = &mut self.builder;
+        let (last, counts) = self.cells.outputs[output].count(b, before)?;
+        let now = b.read_count(super::place(output));
+        let foretold = counts.further(b, last, further);
+        let instead = b.select(usable, foretold, last);
+        let count = b.select(good, now, instead);
+        Some((counts.place(b, count), Some(count)))
     }
 
     /// A sample, with its inputs still in it.

@@ -34,8 +34,9 @@ impl Lowering<'_> {
         });
         let again = foreseen.as_ref().filter(|_| gated).and_then(|state| {
             let places: Vec<Value> = (0..outputs).map(|o| self.stand_in(o, state).0).collect();
+            let distance: Vec<Value> = (0..outputs).map(|o| self.off(o, measured[o], places[o])).collect();
             let count = self.builder.read(self.cells.count);
-            self.gate(&measured, &places, &mut good, count)
+            self.doubt(&distance, &places, &mut good, count)
         });
         let (zero, one) = (self.builder.float(0.0), self.builder.float(1.0));
         let slots: Vec<(Value, Value)> = (0..outputs).map(|o| self.slot(o, before, newest)).collect();
@@ -66,7 +67,8 @@ impl Lowering<'_> {
             _ => (used, Vec::new()),
         };
         let lost = any(&mut self.builder, &lost);
-        let coasted = self.plant.coasted.then(|| self.coasted(&good));
+        let cell = self.plant.coasted.then(|| self.memory().coasted);
+        let coasted = cell.map(|cell| self.coasted(cell, &good));
         let samples_good = self.builder.boolean(true);
         let of_now: Vec<Value> = expected.into_iter().chain(now).collect();
         let (interval_good, newest_good) = (all(&mut self.builder, &since), all(&mut self.builder, &of_now));
@@ -79,6 +81,7 @@ impl Lowering<'_> {
             late,
             lost,
             again,
+            counts: vec![None; outputs.len()],
             outputs,
             signals: values,
             inputs: injections.inputs,
@@ -118,6 +121,13 @@ impl Lowering<'_> {
         ages
     }
 
+    /// How far a sample is from its place; folded where it wraps.
+    fn off(&mut self, output: usize, measured: Value, place: Value) -> Value {
+        let (plant, b) = (self.plant, &mut self.builder);
+        let off = b.sub(measured, place);
+        front::folded(b, &plant.outputs[output], off, plant.scalar)
+    }
+
     /// Samples with an age as if nothing had acted on the plant since then.
     fn at_the_call(
         &mut self,
@@ -139,18 +149,6 @@ impl Lowering<'_> {
             }
         }
         moved
-    }
-
-    /// Calls since a sample was accepted.
-    fn coasted(&mut self, good: &[Value]) -> Value {
-        let cell = self.memory().coasted;
-        let b = &mut self.builder;
-        let accepted = any(b, good);
-        let (none, before) = (b.index(0), b.read(cell));
-        let more = b.count_up(before, u32::MAX);
-        let since = b.select(accepted, none, more);
-        b.set(cell, since);
-        since
     }
 
     /// Per output: whether a nonlinear term needs its value.
