@@ -219,7 +219,7 @@ impl Design {
     /// Why there is no error bound although the noise is declared; for the certificate.
     pub fn unbounded(&self) -> &'static str {
         match &self.shape {
-            Shape::Window(functional) if functional.irregular.is_some() => {
+            Shape::Window(functional) if functional.irregular.is_some() && functional.gaps.is_some() => {
                 "no error bound: it depends on when samples come; the gains are of regular gaps"
             }
             Shape::Window(functional) if functional.gaps.is_some() => {

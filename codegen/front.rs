@@ -3,32 +3,69 @@
 //! A sample as it comes may count, round down, wrap, and have inputs and a constant in it. What every method works with
 //! is `C x` plus noise, in the output's unit; a wrapped one within half a turn of zero.
 
+pub(crate) mod counts;
+mod reduce;
+
 use crate::plant::{Output, Plant};
 use crate::program::builder::Builder;
-use crate::program::{Scalar, Value};
+use crate::program::{Field, Kind, Scalar, Value};
 use crate::window::lower::injections::round;
 use crate::window::lower::place;
+use counts::Counts;
+
+/// What the caller hands over of an output.
+pub(crate) fn measurement(output: &Output) -> Field {
+    let kind = output.counter.map_or(Kind::Float, |counter| Kind::Count { bits: counter.bits, signed: counter.signed });
+    let (name, unit, doc) = (output.label.name.clone(), output.label.unit.clone(), output.label.doc.clone());
+    Field { name, unit, doc, kind }
+}
 
 /// A measured output, and whether it may be used: finite, within its range. `range` is what `C x` may be.
 ///
 /// Inputs are still in it: [`without_inputs`] follows when they are known.
 pub(crate) fn read(b: &mut Builder, plant: &Plant, output: usize, range: (f64, f64)) -> (Value, Value) {
     let (sensor, scalar) = (&plant.outputs[output], plant.scalar);
-    let sample = b.read_measurement(place(output));
+    let sample = sample(b, sensor, output, scalar);
     let bare = sensor.raw_range.is_none() && sensor.wrap.is_none() && !has_inputs(sensor);
     if bare {
         let value = shifted(b, sensor, sample, scalar);
         return (value, b.in_range(value, range.0, range.1));
     }
     let rounded = |limit| round(limit, scalar);
-    let (low, high) = sensor.raw_range.as_ref().map_or(range, |(low, high)| (rounded(low), rounded(high)));
-    let (low, high) = sensor.wrap.as_ref().map_or((low, high), |wrap| {
-        let most = farthest(rounded(&wrap.turn), scalar);
-        (low.max(-most), high.min(most))
-    });
-    let good = b.in_range(sample, low, high);
-    let value = shifted(b, sensor, sample, scalar);
-    (if has_inputs(sensor) { value } else { folded(b, sensor, value, scalar) }, good)
+    let declared = sensor.raw_range.as_ref().map(|(low, high)| (rounded(low), rounded(high)));
+    let (low, high) = match &sensor.wrap {
+        Some(wrap) => {
+            let most = farthest(rounded(&wrap.turn), scalar);
+            declared.map_or((-most, most), |(low, high)| (low.max(-most), high.min(most)))
+        }
+        None => declared.unwrap_or(range),
+    };
+    let good = if sensor.counter.is_some() && sensor.raw_range.is_none() {
+        // A count is always a number.
+        b.boolean(true)
+    } else {
+        b.in_range(sample, low, high)
+    };
+    if let Some(counts) = Counts::of(plant, sensor) {
+        let count = b.read_count(place(output));
+        let value = counts.place(b, count);
+        return (shifted_within(b, sensor, value, scalar), good);
+    }
+    if has_inputs(sensor) {
+        return (shifted(b, sensor, sample, scalar), good);
+    }
+    let value = reduced(b, sensor, sample, scalar);
+    (shifted_within(b, sensor, value, scalar), good)
+}
+
+/// A sample as a float, in the output's unit.
+fn sample(b: &mut Builder, sensor: &Output, output: usize, scalar: Scalar) -> Value {
+    let Some(counter) = sensor.counter else { return b.read_measurement(place(output)) };
+    let count = b.read_count(place(output));
+    let count = if counter.signed { b.signed_to_float(count) } else { b.to_float(count) };
+    let Some(quantum) = &sensor.quantum else { return count };
+    let quantum = b.float(round(quantum, scalar));
+    b.mul(quantum, count)
 }
 
 /// The same without the inputs that the sample has in it; `inputs` are those until now.
@@ -50,9 +87,17 @@ pub(crate) fn without_inputs(
         let share = b.mul(factor, *input);
         value = b.sub(value, share);
     }
-    let value = folded(b, sensor, value, plant.scalar);
+    let value = reduced(b, sensor, value, plant.scalar);
     let sane = b.in_range(value, range.0, range.1);
     (value, b.and(good, sane))
+}
+
+/// A sample within half a turn of zero, where the output wraps.
+fn reduced(b: &mut Builder, output: &Output, value: Value, scalar: Scalar) -> Value {
+    match &output.wrap {
+        Some(wrap) => reduce::reduce(b, value, &wrap.turn, scalar),
+        None => value,
+    }
 }
 
 /// A difference folded into half a turn, where the output wraps.
@@ -109,6 +154,15 @@ fn in_scalar(value: f64, scalar: Scalar) -> f64 {
 /// Whether a sample has inputs in it.
 fn has_inputs(output: &Output) -> bool {
     output.feedthrough.iter().any(|factor| !factor.is_zero())
+}
+
+/// The same of what is within half a turn, so that the sum is too.
+fn shifted_within(b: &mut Builder, output: &Output, value: Value, scalar: Scalar) -> Value {
+    if output.shift().is_none() {
+        return value;
+    }
+    let value = shifted(b, output, value, scalar);
+    folded(b, output, value, scalar)
 }
 
 /// Without the constant, and with half a count where the sensor rounds down.

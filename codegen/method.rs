@@ -72,9 +72,6 @@ pub struct Method {
     pub read: fn(&mut Table) -> Option<Arc<dyn Keyed>>,
 }
 
-/// Of what a method could do.
-const NOT_YET: Cannot = Cannot { why: "it is not built yet", instead: "leave the key out" };
-
 /// A method with its keys read.
 pub trait Keyed: Debug + Send + Sync {
     /// The order of the chain of integrators that stands for the plant: of the key `order`, where it is given.
@@ -101,11 +98,16 @@ pub trait Keyed: Debug + Send + Sync {
 
     /// Why something that a specification asks for cannot be done for this plant.
     fn cannot(&self, feature: Feature, _plant: &Plant) -> Option<Cannot> {
-        (feature != Feature::Ahead).then_some(NOT_YET)
+        not_yet(feature)
     }
 
     /// Designs the observer for a plant, or says everything that stands against it.
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>>;
+}
+
+/// What no method can do unless it says so.
+fn not_yet(feature: Feature) -> Option<Cannot> {
+    (feature != Feature::Ahead).then_some(Cannot { why: "it is not built yet", instead: "leave the key out" })
 }
 
 /// An observer with changing gains at one step.

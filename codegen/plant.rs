@@ -24,7 +24,7 @@ pub use crate::spec::Hold;
 use crate::spec::{Quantity, Spec};
 use expression::read_constant;
 use reading::Reading;
-use sensor::{Aged, Counter, Gate, Wrap};
+pub use sensor::{Aged, Counter, Gate, Wrap};
 
 /// Name, unit, documentation and place of something declared.
 #[derive(Clone, Debug)]

@@ -40,6 +40,8 @@ fn copy(linear: &Linear) -> Linear {
         holds: linear.holds.clone(),
         delays: linear.delays.clone(),
         noise: linear.noise.clone(),
+        every: linear.every.clone(),
+        ages: linear.ages.clone(),
         ..*linear
     }
 }

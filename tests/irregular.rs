@@ -49,12 +49,12 @@ fn thin(run: &mut Run, most: usize, random: &mut Random) {
 /// sees as noise, reach a state as often as `Irregular::amplification` says for regular gaps. Irregular ones whose
 /// pivots are above the threshold, a 64th of the regular ones', cost more: sixteen times is allowed, and the largest
 /// error of these plants is 0.4 of that. What moves the state by itself counts with it.
-fn bound(generated: &Generated, run: &Run, most: usize) -> f64 {
+fn bound(generated: &Generated, run: &Run) -> f64 {
     let sizes = run.sizes(0).into_iter().fold(0.0, f64::max);
     let inputs = run.inputs.iter().flatten().fold(0.0_f64, |largest, u| largest.max(u.abs()));
     let irregular = solve(generated);
     let moved = irregular.largest_gain().min(1e3) * inputs;
-    16.0 * UNIT * irregular.amplification(most).max(1.0) * (sizes + inputs + moved)
+    16.0 * UNIT * irregular.amplification().max(1.0) * (sizes + inputs + moved)
 }
 
 #[test]
@@ -99,7 +99,7 @@ fn every_linear_plant_is_estimated_exactly_from_the_samples_that_are_there() {
         if let Some(call) = (0..calls).find(|call| answers.statuses[*call] != expected(*call)) {
             return Err(TestCaseError::fail(format!("call {call}: {:?}\n{text}", answers.statuses[call])));
         }
-        let bound = bound(&generated, &run, most);
+        let bound = bound(&generated, &run);
         let size = run.sizes(linear.steps).into_iter().fold(0.0, f64::max);
         for (i, error) in answers.errors(&run, linear.steps..calls).into_iter().enumerate() {
             worst.set(worst.get().max(error / bound));
@@ -139,7 +139,7 @@ fn without_samples_the_model_goes_on() {
     let answers = run.through(&generated);
     let error = answers.errors(&run, from..8 * from).into_iter().fold(0.0, f64::max);
     println!("error {error:e}");
-    assert!(error <= 64.0 * UNIT * irregular.amplification(10), "{error:e}");
+    assert!(error <= 64.0 * UNIT * irregular.amplification(), "{error:e}");
     for (call, status) in answers.statuses.iter().enumerate() {
         let expected = match call {
             _ if call < from => Some(Status::Converging),

@@ -6,10 +6,10 @@
 mod plant;
 
 use deadbeat_codegen::Generated;
-use deadbeat_codegen::program::Status;
 use deadbeat_codegen::program::cost::cost;
 use deadbeat_codegen::program::interp::Interpreter;
-use plant::{Random, corpus, designed, edited};
+use deadbeat_codegen::program::{Scalar, Status};
+use plant::{Random, corpus, designed_in, edited};
 
 use Status::{Coasting, Converged, Converging};
 
@@ -20,8 +20,8 @@ const SECONDS: [&str; 3] = ["0.01", "0.03", "0.1"];
 /// States.
 const N: usize = 3;
 
-fn with_window(text: &str, window: &str) -> Generated {
-    designed(&edited(text, "[0.01, 0.03, 0.1]", window))
+fn with_window(text: &str, window: &str, scalar: Scalar) -> Generated {
+    designed_in(&edited(text, "[0.01, 0.03, 0.1]", window), scalar)
 }
 
 /// Every field of the estimate and the status, per call; a sample that is NaN is missing.
@@ -44,14 +44,14 @@ fn noise(len: usize) -> Vec<f64> {
 /// Both scalars: the same bits as three designs of their own.
 #[test]
 fn each_window_is_a_design_of_its_own() {
-    for scalar in ["f32", "f64"] {
-        let text =
-            edited(&corpus("three_windows"), "sample_time = 1e-3", &format!("sample_time = 1e-3\nscalar = '{scalar}'"));
-        let together = answers(&designed(&text), &noise(300));
-        let apart = SECONDS.map(|window| answers(&with_window(&text, window), &noise(300)));
+    for scalar in [Scalar::F32, Scalar::F64] {
+        let text = corpus("three_windows");
+        let together = answers(&designed_in(&text, scalar), &noise(300));
+        let apart = SECONDS.map(|window| answers(&with_window(&text, window, scalar), &noise(300)));
         for (call, (estimate, status)) in together.iter().enumerate() {
             let full = STEPS.iter().filter(|steps| call >= **steps).count();
             assert_eq!(*status, if full > 0 { Converged } else { Converging }, "call {call}");
+            assert_eq!(estimate[STEPS.len() * N], [0.0, 1.0, 2.0, 3.0][full], "call {call}");
             for window in 0..STEPS.len() {
                 // A window that is not full shows the next shorter one; before all of them, the start.
                 let of = window.min(full.saturating_sub(1));
@@ -69,16 +69,18 @@ fn each_window_is_a_design_of_its_own() {
 fn the_memory_is_that_of_the_longest() {
     let text = corpus("three_windows");
     let memory = |generated: &Generated| cost(&generated.program, deadbeat_math::COSTS).ram_bytes;
-    assert_eq!(memory(&designed(&text)), memory(&with_window(&text, "0.1")));
-    assert_eq!(with_window(&text, "[0.03]").program, with_window(&text, "0.03").program);
+    for scalar in [Scalar::F32, Scalar::F64] {
+        assert_eq!(memory(&designed_in(&text, scalar)), memory(&with_window(&text, "0.1", scalar)));
+        let [listed, plain] = ["[0.03]", "0.03"].map(|window| with_window(&text, window, scalar).program);
+        assert_eq!(listed, plain);
+    }
 }
 
 /// The stand-in is what the estimate of the longest full window foretells, to rounding: written in by hand, it gives
 /// the same estimates.
 #[test]
 fn the_longest_window_predicts() {
-    let text = edited(&corpus("three_windows"), "sample_time = 1e-3", "sample_time = 1e-3\nscalar = 'f64'");
-    let generated = designed(&text);
+    let generated = designed_in(&corpus("three_windows"), Scalar::F64);
     for (gap, longest) in [(20, 0), (60, 1), (150, 2)] {
         let mut samples = noise(400);
         let before = answers(&generated, &samples[..gap]).pop().unwrap().0;
@@ -90,7 +92,9 @@ fn the_longest_window_predicts() {
         samples[gap] = f64::NAN;
         let missing = answers(&generated, &samples);
         for (call, ((a, status), (b, _))) in missing.iter().zip(&by_hand).enumerate() {
-            for i in 0..a.len() {
+            let clean = STEPS.iter().filter(|steps| call >= **steps && !(gap..=gap + **steps).contains(&call)).count();
+            assert_eq!(a[STEPS.len() * N], [0.0, 1.0, 2.0, 3.0][clean], "gap at {gap}, call {call}");
+            for i in 0..STEPS.len() * N {
                 // The weights of the shortest window add up to 2e5 times the samples, which are 2 at most; rounding
                 // moves the stand-in by a few parts in 1e16 of what it is summed of.
                 let most = [1.0, 1e3, 2e5][i % N] * 2.0 * 1e-14;

@@ -7,6 +7,7 @@ use deadbeat_codegen::design::{Certificate, Convergence, Design, NamedMatrix, Re
 use deadbeat_codegen::method::Moment;
 use deadbeat_codegen::plant::modes::modes;
 use deadbeat_codegen::program::cost::{Cost, cost};
+use deadbeat_codegen::window::irregular::Phase;
 use deadbeat_codegen::{Generated, Language, Source, VERSION};
 use serde_json::{Map, Value, json};
 
@@ -78,6 +79,11 @@ pub fn json(generated: &Generated) -> Value {
             .map(|(steps, certificate)| json!({ "window_steps": steps, "certificate": promised(certificate) }))
             .collect();
     }
+    let phases = phases(design);
+    if !phases.is_empty() {
+        let phase = |it: &Phase| json!({ "noise_gain_l1": it.noise_gain_l1, "noise_gain_l2": it.noise_gain_l2 });
+        all["phases"] = phases.iter().map(phase).collect();
+    }
     all
 }
 
@@ -89,6 +95,39 @@ fn promised(certificate: &Certificate) -> Value {
         "error_bound": certificate.error_bound,
         "initial_gain": certificate.initial_gain,
     })
+}
+
+/// Gains by phase, where outputs are measured at rates of their own.
+fn phases(design: &Design) -> &[Phase] {
+    match &design.shape {
+        Shape::Window(functional) => functional.irregular.as_ref().map_or(&[], |irregular| &irregular.phases),
+        _ => &[],
+    }
+}
+
+/// Phases that are printed for people.
+const MOST_PHASES: usize = 20;
+
+/// The worst-case noise gains of each phase: a line for each output.
+fn by_phase(generated: &Generated) -> String {
+    let (plant, phases) = (&generated.plant, phases(&generated.design));
+    let mut text = String::new();
+    if phases.is_empty() {
+        return text;
+    }
+    let names: Vec<&str> = plant.states.iter().map(|state| state.label.name.as_str()).collect();
+    let _ =
+        writeln!(text, "\nNoise gains by phase, worst case: calls k, k + {}, …; {}", phases.len(), names.join(", "));
+    for (place, phase) in phases.iter().enumerate().take(MOST_PHASES) {
+        for (o, output) in plant.outputs.iter().enumerate() {
+            let gains: Vec<String> = phase.noise_gain_l1.iter().map(|gains| short(gains[o])).collect();
+            let _ = writeln!(text, "  k = {place}, from {}: {}", output.label.name, gains.join(", "));
+        }
+    }
+    if phases.len() > MOST_PHASES {
+        let _ = writeln!(text, "  …; `--format json` has them all");
+    }
+    text
 }
 
 fn realization(realization: &Realization) -> Value {
@@ -155,6 +194,7 @@ pub fn text(generated: &Generated) -> String {
         let list: Vec<String> = modes.iter().map(mode).collect();
         let _ = writeln!(text, "Modes        {}", list.join(", "));
     }
+    text.push_str(&by_phase(generated));
     matrices(&mut text, &design.constants);
     if let Some(fir) = &design.fir {
         let _ =

@@ -11,7 +11,7 @@
 //! what the first convergence left. A prediction outside the output's range starts the observer again, and so does a
 //! state beyond the floats' guard.
 //!
-//! **Turns and gates.** See [`turn`] and [`gate`].
+//! **Turns, gates, rates.** See [`turn`], [`gate`] and [`rates`].
 //!
 //! **Sliding.** Under the sliding law an innovation that is not explained
 //! makes both counts begin again, and one wider than the output's range starts the observer again.
@@ -20,6 +20,7 @@ mod gain;
 mod gate;
 mod given;
 mod known;
+mod rates;
 mod turn;
 
 use crate::ahead::Ahead;
@@ -81,6 +82,10 @@ struct Cells {
     coasted: CellId,
     /// 1 from a start by an estimate until the first good call, where there is such a start.
     given: Option<CellId>,
+    /// Calls since every output was due.
+    phase: CellId,
+    /// Per output that is not due at every call: the calls until it is.
+    due: Vec<Option<CellId>>,
 }
 
 impl Cells {
@@ -117,8 +122,10 @@ impl Cells {
         let calls = b.index_cell("calls", "calls since init", 0);
         let rejected = gate::cells(b, plant, design);
         let coasted = b.index_cell("coasted", "calls since the newest accepted sample", 0);
+        let phase = b.index_cell("phase", "calls since every output was due", 0);
+        let due = rates::cells(b, plant);
         let given = plant.init_at.then(|| b.index_cell("given", "1 from a given state until the first good call", 0));
-        Self { state, left, good, clean, outputs, signals, inputs, calls, rejected, coasted, given }
+        Self { state, left, good, clean, outputs, signals, inputs, calls, rejected, coasted, phase, due, given }
     }
 }
 
@@ -151,8 +158,10 @@ struct Predicted {
     outputs: Vec<Value>,
     /// Per output: whether there is a sample.
     good: Vec<Value>,
-    /// Whether there is one of every output.
+    /// Whether there is one of every output that is due.
     measured: Value,
+    /// Whether there is one of every output.
+    complete: Value,
     /// Whether everything was good.
     fine: Value,
     /// Whether a sample was rejected for the last time: the observer starts again with it.
@@ -283,7 +292,7 @@ impl Lowering<'_> {
         let (starts, rests) = (self.starts(&predicted.outputs), self.rests());
         let mut state = Vec::new();
         for (i, value) in corrected.iter().enumerate() {
-            let start = self.builder.select(predicted.measured, starts[i], rests[i]);
+            let start = self.builder.select(predicted.complete, starts[i], rests[i]);
             let value = self.builder.select(again, start, *value);
             self.builder.set(self.cells.state[i], value);
             state.push(value);
@@ -307,7 +316,7 @@ impl Lowering<'_> {
     fn count(&mut self, predicted: &Predicted, again: Value, calm: Value) -> [Value; 2] {
         let (none, one) = (self.builder.index(0), self.builder.index(1));
         let most = calls(self.design.valid + 1);
-        let first = self.builder.select(predicted.measured, one, none);
+        let first = self.builder.select(predicted.complete, one, none);
         let good = self.builder.read(self.cells.good);
         let more = self.builder.count_up(good, most);
         let more = self.builder.select(calm, more, one);

@@ -28,7 +28,7 @@ use std::sync::Arc;
 use super::window::{
     check_hold, fir, read_hold, refuse_unknowns, resolution_warnings, sensor_notes, time_warning, verdict, window_steps,
 };
-use super::{Cannot, Feature, Keyed, Method, NOT_YET};
+use super::{Cannot, Feature, Keyed, Method, not_yet};
 use crate::decimal::show;
 use crate::describe::short;
 use crate::design::{Design, Shape};
@@ -126,12 +126,14 @@ impl Keyed for Keys {
                 why: "its integrals from samples are no sums of differences",
                 instead: "`form = \"exact\"`, or the method `window`",
             }),
-            Feature::Wrap | Feature::Gate if self.intermittent.is_some() => Some(Cannot {
+            Feature::Wrap | Feature::Counter | Feature::Gate if self.intermittent.is_some() => Some(Cannot {
                 why: "measurements come at irregular times",
                 instead: "the method `window`, with NaN for what is missing",
             }),
-            Feature::Wrap | Feature::Gate | Feature::Ahead | Feature::InitAt => None,
-            _ => Some(NOT_YET),
+            Feature::Wrap | Feature::Counter | Feature::Gate | Feature::Coasted | Feature::Ahead | Feature::InitAt => {
+                None
+            }
+            _ => not_yet(feature),
         }
     }
 

@@ -19,12 +19,14 @@
 //! An injection that depends on a held input is evaluated at both ends of each interval with that
 //! interval's input, so that a jump of the input costs nothing.
 
+mod left_out;
+mod rates;
 mod several;
 
 use std::ops::Range;
 use std::sync::Arc;
 
-use super::{Cannot, Feature, Keyed, Method, NOT_YET};
+use super::{Cannot, Feature, Keyed, Method};
 use crate::decimal::show;
 use crate::describe::short;
 use crate::design::{Convergence, Design, Fir, NamedMatrix, Shape};
@@ -43,6 +45,7 @@ use crate::window::realize::{
 use crate::window::settle::settle;
 use crate::window::solve::{Choice, observability, output_powers, trusted};
 use crate::window::{Functional, Part, Signal, Way, count, refuse_much_work, seconds, trimmed, whole_samples};
+use left_out::Missing;
 
 /// The registry's entry.
 pub const METHOD: Method = Method {
@@ -57,6 +60,11 @@ pub const METHOD: Method = Method {
             "\"equal\" | \"minimax\"",
             "least squares, or the smallest worst-case noise gain (quantised signals)",
         ),
+        (
+            "missing",
+            "\"predicted\" | \"left-out\"",
+            "the model's prediction stands in for a missing sample (default), or the step solves for those that are there",
+        ),
         ("realization", REALIZATION_CHOICES, "how the step computes it"),
     ],
     realizations: &REALIZATIONS,
@@ -70,7 +78,9 @@ struct Keys {
     /// One, or several, rising.
     windows: Vec<Quantity>,
     weighting: Weighting,
+    weights_span: Range<usize>,
     hold: (Between, Range<usize>),
+    missing: (Option<Missing>, Range<usize>),
     wanted: Wanted,
     wanted_span: Range<usize>,
 }
@@ -91,11 +101,15 @@ fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
         );
     }
     let words = [("equal", Weighting::Equal), ("minimax", Weighting::Minimax)];
+    let weights_span = table.key_span("weights");
     let weighting = table.choice("weights", &words, Weighting::Equal);
     let hold = read_hold(table);
+    let missing_span = table.key_span("missing");
+    let missing = table.has("missing").then(|| table.choice("missing", &left_out::WORDS, Missing::Predicted));
+    let missing = (missing, missing_span);
     let wanted_span = table.key_span("realization");
     let wanted = table.choice("realization", &WORDS, Wanted::Auto);
-    Some(Arc::new(Keys { windows: windows?, weighting, hold, wanted, wanted_span }))
+    Some(Arc::new(Keys { windows: windows?, weighting, weights_span, hold, missing, wanted, wanted_span }))
 }
 
 /// Bits at which observability is judged; a tolerance of half of them is far from any rounding.
@@ -104,10 +118,19 @@ pub(super) const VERDICT_BITS: usize = 256;
 const VERDICTS: [usize; 3] = [VERDICT_BITS, 1_024, 4_096];
 
 impl Keyed for Keys {
-    fn cannot(&self, feature: Feature, _plant: &Plant) -> Option<Cannot> {
+    fn observed(&self, plant: Plant) -> Result<Plant, Vec<Diagnostic>> {
+        if self.leaves_out(&plant) { self.counted(plant) } else { Ok(plant) }
+    }
+
+    fn cannot(&self, feature: Feature, plant: &Plant) -> Option<Cannot> {
+        if self.leaves_out(plant) {
+            return left_out::cannot(feature, plant);
+        }
         match feature {
-            Feature::Wrap | Feature::Gate | Feature::Ahead | Feature::InitAt => None,
-            _ => Some(NOT_YET),
+            Feature::Wrap | Feature::Counter | Feature::Gate | Feature::Coasted | Feature::Ahead | Feature::InitAt => {
+                None
+            }
+            _ => super::not_yet(feature),
         }
     }
 
@@ -125,6 +148,10 @@ impl Keyed for Keys {
             return Err(found);
         }
         let condition = verdict(plant, &delays, steps, &span)?;
+        if self.leaves_out(plant) {
+            let pattern = rates::pattern(plant, delays, steps, &span)?;
+            return self.left_out(plant, &signals, steps, pattern, condition);
+        }
         let choice = self.choice(plant, &delays, steps)?;
         let (mut functional, exact, mut numerics) = settle(plant, &signals, &delays, steps, &choice)?;
         numerics.condition = condition;

@@ -68,7 +68,7 @@ pub fn certify_ages(plant: &Plant, functional: &Functional, ages: impl Iterator<
 }
 
 /// The largest error of a state for the declared noise and disturbances; `None` where something is unbounded.
-fn error_bound(
+pub fn error_bound(
     plant: &Plant,
     functional: &Functional,
     noise: &[f64],

@@ -10,7 +10,7 @@ use super::realize::ping_pong::PingPong;
 use super::realize::recursive::Recursive;
 use super::realize::two_level::TwoLevel;
 use super::realize::{Depth, Load, Refusal, Request, Wanted, Way};
-use super::{Part, count};
+use super::{Functional, Part, count};
 
 /// Weights up to which one sum over the window is best: bit-reproducible, nothing that could rot, few enough.
 const FEW_WEIGHTS: usize = 1_000;
@@ -105,7 +105,7 @@ fn design(plant: &Plant, request: &Request, wanted: Wanted, depth: Depth) -> Res
 
 /// Whether the weights of each output that wraps add up to the direction of its turn, so that differences to the newest
 /// sample can be summed instead.
-fn turns_add_up(plant: &Plant, functional: &crate::window::Functional) -> Result<(), Refusal> {
+fn turns_add_up(plant: &Plant, functional: &Functional) -> Result<(), Refusal> {
     // Each weight is rounded once.
     const ROUNDING: f64 = 1e-12;
     let wraps = plant.outputs.iter().enumerate().filter_map(|(o, output)| Some((o, output.wrap.as_ref()?)));

@@ -6,14 +6,19 @@
 //! of Q as the constants, the normal equations of all rows are the unit matrix, and those of some rows stay close to
 //! it: single precision suffices.
 
-use crate::design::{Certificate, Settled};
+mod certify;
+mod pattern;
+
+use crate::design::Settled;
 use crate::diagnostic::{Diagnostic, codes};
 use crate::plant::Plant;
 use crate::program::Scalar;
 use crate::real::{Matrix, Precision, Real, inverse};
 
+pub use certify::{Phase, certify};
+pub use pattern::Pattern;
+
 use super::Signal;
-use super::certificate::disturbance_gains;
 use super::model::Model;
 use super::settle::{Pass, rising};
 use super::solve::{output_powers, trusted};
@@ -24,7 +29,7 @@ pub type Sparse = Vec<Vec<Option<Settled>>>;
 /// The constants of the solve.
 #[derive(Clone, Debug)]
 pub struct Irregular {
-    /// By age from N to 0 and output: a row of Q, n numbers.
+    /// By age from N to 0 and output: a row of Q, n numbers; zeros where a late output cannot show that age yet.
     pub rows: Vec<Vec<Vec<Settled>>>,
     /// Per output: what its samples count by.
     pub trust: Vec<Settled>,
@@ -40,13 +45,26 @@ pub struct Irregular {
     pub end: Sparse,
     /// Per state: what the constant terms add in an interval.
     pub constant: Vec<Option<Settled>>,
-    /// The smallest pivot with a sample every `most` calls.
+    /// The samples that come when none is lost.
+    pub pattern: Pattern,
+    /// The smallest pivot with these, at the worst phase.
     pub pivot: f64,
     /// The smallest pivot that is trusted.
     pub threshold: f64,
+    /// Gains by phase, where there are several.
+    pub phases: Vec<Phase>,
 }
 
 impl Irregular {
+    /// Multiplications and additions of a step's pass over the window.
+    pub fn operations(&self) -> usize {
+        let of = |rows: &Sparse| rows.iter().flatten().flatten().count();
+        let (n, p) = (self.phi.len(), self.c.len());
+        let response = of(&self.phi) + of(&self.begin) + of(&self.end) + of(&self.c);
+        let equations = n * (n + 1) / 2 + n;
+        self.rows.len() * (2 * response + p * (2 + n + 2 * equations))
+    }
+
     /// The largest magnitude in a step for samples of magnitude 1, from above.
     ///
     /// Rows of Q are at most 1, and so are the diagonals of G and of what elimination leaves of it; with a pivot d that
@@ -78,16 +96,17 @@ impl Irregular {
         (through * eliminated + response) * phi + (0..n).map(moved).fold(0.0, f64::max)
     }
 
-    /// K for a pattern of samples, by age from 0, n x p each, in doubles; `None` where it does not determine the state.
-    pub fn weights(&self, there: &dyn Fn(usize) -> bool) -> Option<Vec<nalgebra::DMatrix<f64>>> {
+    /// K for some samples, by age of the state that they show from 0, n x p each, in doubles; `None` where they do not
+    /// determine the state.
+    pub fn weights(&self, there: &dyn Fn(usize, usize) -> bool) -> Option<Vec<nalgebra::DMatrix<f64>>> {
         let (n, p, steps) = (self.phi.len(), self.c.len(), self.rows.len() - 1);
         let dense = |sparse: &Sparse| {
             nalgebra::DMatrix::from_fn(sparse.len(), n, |i, j| sparse[i][j].map_or(0.0, |weight| weight.double))
         };
         let row = |age: usize, o: usize| nalgebra::DVector::from_fn(n, |j, _| self.rows[steps - age][o][j].double);
         let mut normal = nalgebra::DMatrix::zeros(n, n);
-        for age in (0..=steps).filter(|age| there(*age)) {
-            for o in 0..p {
+        for age in 0..=steps {
+            for o in (0..p).filter(|o| there(age, *o)) {
                 normal += row(age, o) * row(age, o).transpose();
             }
         }
@@ -96,31 +115,31 @@ impl Irregular {
             let columns: Vec<_> = (0..p)
                 .map(|o| {
                     let column = &through * row(age, o) * self.trust[o].double;
-                    if there(age) { column } else { column * 0.0 }
+                    if there(age, o) { column } else { column * 0.0 }
                 })
                 .collect();
             nalgebra::DMatrix::from_columns(&columns)
         };
         Some((0..=steps).map(weights).collect())
     }
-}
 
-impl Irregular {
-    /// How often rounding errors of the sums reach a state, with a sample every `most` calls at the worst call.
+    /// How often rounding errors of the sums reach a state, with the samples of the pattern at the worst call.
     ///
     /// A sum over the rows is off by some units of its terms; the solve and the way to the newest sample multiply that
     /// by `|Phi^N R^-1| |G^-1|`. A direction that has died out by then may be poorly determined.
-    pub fn amplification(&self, most: usize) -> f64 {
+    pub fn amplification(&self) -> f64 {
         let (n, steps) = (self.phi.len(), self.rows.len() - 1);
         let mut worst = 0.0_f64;
-        for phase in 0..most {
+        for phase in self.pattern.phases() {
             let mut normal = nalgebra::DMatrix::zeros(n, n);
             let mut terms = nalgebra::DVector::zeros(n);
-            for age in (0..=steps).filter(|age| age % most == phase) {
-                for (row, trust) in self.rows[steps - age].iter().zip(&self.trust) {
-                    let row = nalgebra::DVector::from_fn(n, |j, _| row[j].double);
-                    normal += &row * row.transpose();
-                    terms += row.abs() * trust.double;
+            for age in 0..=steps {
+                for (o, (row, trust)) in self.rows[steps - age].iter().zip(&self.trust).enumerate() {
+                    if self.pattern.there(phase, age, o) {
+                        let row = nalgebra::DVector::from_fn(n, |j, _| row[j].double);
+                        normal += &row * row.transpose();
+                        terms += row.abs() * trust.double;
+                    }
                 }
             }
             let Some(inverse) = normal.cholesky().map(|factor| factor.inverse()) else { return f64::INFINITY };
@@ -146,36 +165,51 @@ pub fn unit(scalar: Scalar) -> f64 {
     }
 }
 
-/// Designs the solve for gaps of up to `most` samples.
-pub fn design(plant: &Plant, signals: &[Signal], steps: usize, most: usize) -> Result<Irregular, Vec<Diagnostic>> {
+/// The smallest pivot that is more than rounding.
+pub fn limit(plant: &Plant) -> f64 {
+    64.0 * super::count(plant.states.len()) * unit(plant.scalar)
+}
+
+/// Designs the solve for samples that come, when none is lost, as a pattern says.
+pub fn design(plant: &Plant, signals: &[Signal], steps: usize, pattern: Pattern) -> Result<Irregular, Vec<Diagnostic>> {
     let refuse = || {
         let message = "the window does not determine the state";
         vec![Diagnostic::error(codes::UNOBSERVABLE, plant.span.clone(), message)]
     };
     let run = |p: Precision| {
         let model = Model::new(plant, signals, p)?;
-        let factor = triangle(&model, steps).ok_or_else(refuse)?;
+        let all = rows(&model, steps, &pattern);
+        let factor = triangle(&all).ok_or_else(refuse)?;
         let back = inverse(&factor).map_err(|_| refuse())?;
-        let rows = output_powers(&model, steps).iter().map(|row| &trusted(row, &model.trust) * &back).collect();
+        let rows = all.iter().map(|row| row * &back).collect();
         Ok(Exact { rows, through: &model.phi.powi(steps as u64) * &back, model })
     };
     let round = |pass: &mut Pass, coarse: &Exact, fine: &Exact| rounded(pass, coarse, fine, plant.outputs.len());
     let (irregular, exact, _) = rising(plant, run, round, |_| 0.0)?;
     let trust = exact.model.trust.iter().map(Settled::round).collect();
-    let pivot = smallest_pivot(&irregular.rows, most);
+    let pivot = smallest_pivot(&irregular.rows, &pattern);
     // Below the limit a pivot is rounding; irregular patterns are a little worse than the worst regular one.
-    let limit = 64.0 * super::count(plant.states.len()) * unit(plant.scalar);
-    let threshold = limit.max(pivot / 64.0);
-    Ok(Irregular { trust, pivot, threshold, ..irregular })
+    let threshold = limit(plant).max(pivot / 64.0);
+    Ok(Irregular { trust, pattern, pivot, threshold, ..irregular })
+}
+
+/// `W C Phi^j` for j = 0 … N, p x n each; zeros where no sample shows the state of that age.
+fn rows(model: &Model, steps: usize, pattern: &Pattern) -> Vec<Matrix> {
+    let zero = Real::zero(model.phi.precision());
+    let of = |(j, row): (usize, &Matrix)| {
+        let row = trusted(row, &model.trust);
+        let shows = |o: usize| pattern.shows(steps - j, o);
+        Matrix::from_fn(row.rows(), row.cols(), |o, i| if shows(o) { row.get(o, i).clone() } else { zero.clone() })
+    };
+    output_powers(model, steps).iter().enumerate().map(of).collect()
 }
 
 /// R of `W O = Q R`, upper triangular, by Cholesky's factorisation of the Gramian.
-fn triangle(model: &Model, steps: usize) -> Option<Matrix> {
-    let (n, p) = (model.phi.rows(), model.phi.precision());
+fn triangle(rows: &[Matrix]) -> Option<Matrix> {
+    let (n, p) = (rows[0].cols(), rows[0].precision());
     let mut gramian = Matrix::zeros(n, n, p);
-    for row in output_powers(model, steps) {
-        let trusted = trusted(&row, &model.trust);
-        gramian = &gramian + &(&trusted.transpose() * &trusted);
+    for row in rows {
+        gramian = &gramian + &(&row.transpose() * row);
     }
     let mut factor = Matrix::zeros(n, n, p);
     for i in 0..n {
@@ -220,17 +254,19 @@ fn rounded(pass: &mut Pass, coarse: &Exact, fine: &Exact, outputs: usize) -> Irr
     };
     let (begin, end) = (effects(|e| &e.at_begin), effects(|e| &e.at_end));
     let constant = sparse(&c.constant.transpose(), &f.constant.transpose()).remove(0);
-    Irregular { rows, through, phi, c: seen, begin, end, constant, trust: Vec::new(), pivot: 0.0, threshold: 0.0 }
+    let pattern = Pattern::together(outputs, 1);
+    let (trust, phases) = (Vec::new(), Vec::new());
+    Irregular { rows, through, phi, c: seen, begin, end, constant, trust, pattern, pivot: 0.0, threshold: 0.0, phases }
 }
 
-/// The smallest pivot of the normal equations with a sample every `most` calls, at the worst call.
-fn smallest_pivot(rows: &[Vec<Vec<Settled>>], most: usize) -> f64 {
-    let n = rows[0][0].len();
+/// The smallest pivot of the normal equations with the samples of a pattern, at the worst call.
+fn smallest_pivot(rows: &[Vec<Vec<Settled>>], pattern: &Pattern) -> f64 {
+    let (n, steps) = (rows[0][0].len(), rows.len() - 1);
     let mut smallest = f64::INFINITY;
-    for phase in 0..most {
+    for phase in pattern.phases() {
         let mut normal = vec![vec![0.0; n]; n];
-        for outputs in rows.iter().skip(phase).step_by(most) {
-            for row in outputs {
+        for (place, outputs) in rows.iter().enumerate() {
+            for (_, row) in outputs.iter().enumerate().filter(|(o, _)| pattern.there(phase, steps - place, *o)) {
                 for i in 0..n {
                     for j in 0..n {
                         normal[i][j] += row[i].double * row[j].double;
@@ -252,53 +288,4 @@ fn smallest_pivot(rows: &[Vec<Vec<Settled>>], most: usize) -> f64 {
         }
     }
     smallest
-}
-
-/// Gains with a measurement every `most` samples, at the worst call; `None` where that is too few.
-pub fn certify(plant: &Plant, irregular: &Irregular, exact: &super::solve::Exact, most: usize) -> Option<Certificate> {
-    let n = plant.states.len();
-    let zeros = |columns: usize| vec![vec![0.0; columns]; n];
-    let mut worst = Certificate {
-        noise_gain_l1: zeros(plant.outputs.len()),
-        noise_gain_l2: zeros(plant.outputs.len()),
-        disturbance_gain_l1: zeros(plant.disturbances.len()),
-        error_bound: Vec::new(),
-        initial_gain: Vec::new(),
-    };
-    for phase in 0..most {
-        let weights = irregular.weights(&|age| age % most == phase)?;
-        for i in 0..n {
-            for o in 0..plant.outputs.len() {
-                let of = weights.iter().map(|weights| weights[(i, o)]);
-                let squares = of.clone().map(|weight| weight * weight).sum();
-                let (l1, l2) = (&mut worst.noise_gain_l1[i][o], &mut worst.noise_gain_l2[i][o]);
-                *l1 = l1.max(of.map(f64::abs).sum());
-                *l2 = l2.max(deadbeat_math::sqrt_f64(squares));
-            }
-        }
-        let gains = disturbance_gains(plant, &accumulated(&exact.model, &weights)?);
-        for (worst, gains) in worst.disturbance_gain_l1.iter_mut().zip(gains) {
-            worst.iter_mut().zip(gains).for_each(|(worst, gain)| *worst = worst.max(gain));
-        }
-    }
-    // Patterns within the declared gaps may cost more than regular ones, so that this bounds nothing.
-    worst.error_bound = vec![None; n];
-    Some(worst)
-}
-
-/// What a disturbance of the state leaves in the estimate, by age.
-fn accumulated(model: &Model, weights: &[nalgebra::DMatrix<f64>]) -> Option<Vec<Matrix>> {
-    let p = model.phi.precision();
-    let mut left = Matrix::identity(model.phi.rows(), p);
-    let mut all = Vec::new();
-    for weights in &weights[..weights.len() - 1] {
-        let entries: Option<Vec<Real>> = weights.iter().map(|weight| Real::from_f64(*weight, p)).collect();
-        let entries = entries?;
-        let rows = weights.nrows();
-        let weights = Matrix::from_fn(rows, weights.ncols(), |i, o| entries[o * rows + i].clone());
-        left = &left - &(&weights * &model.c);
-        all.push(left.clone());
-        left = &left * &model.phi;
-    }
-    Some(all)
 }

@@ -22,12 +22,14 @@ mod recursive;
 pub(crate) mod report;
 pub(crate) mod sample;
 mod sums;
+mod there;
 mod two_level;
 mod windows;
 
 use crate::ahead::Ahead;
 use crate::design::Settled;
 use crate::diagnostic::Diagnostic;
+use crate::front::measurement;
 use crate::given::Carry;
 use crate::plant::Plant;
 use crate::program::builder::Builder;
@@ -74,12 +76,18 @@ pub(crate) struct Sampled {
     again: Option<Value>,
     /// Per output: what enters the window.
     outputs: Vec<Value>,
+    /// Per output, where it is kept as a count: that.
+    counts: Vec<Option<Value>>,
     /// Per signal: what enters the window.
     signals: Vec<Value>,
     /// Per input: what was used.
     inputs: Vec<Value>,
     /// Per output, where the estimate is of the samples that are there: 1 for a sample, 0 for none.
     present: Vec<Value>,
+    /// Likewise: the slot of the time that a sample shows.
+    slots: Vec<Value>,
+    /// Calls since a sample was accepted, where that is asked for.
+    coasted: Option<Value>,
 }
 
 /// A step being written.
@@ -106,7 +114,7 @@ impl<'a> Lowering<'a> {
             Builder::new(&plant.name, plant.scalar, injections::round(&plant.sample_time.0, plant.scalar));
         let cells = cells::declare(&mut builder, plant, functional);
         for output in &plant.outputs {
-            builder.measurement(field(&output.label.name, &output.label.unit, &output.label.doc));
+            builder.measurement(measurement(output));
         }
         for input in &plant.inputs {
             builder.input(field(&input.label.name, &input.label.unit, &input.label.doc));
@@ -164,10 +172,11 @@ impl<'a> Lowering<'a> {
     /// The estimate of each state by one sum over a window.
     fn summed(&mut self, functional: &Functional, sampled: &Sampled) -> Vec<Value> {
         let kept = (self.cells.outputs.as_slice(), self.cells.signals.as_slice());
-        let anchors: Vec<Option<Anchor>> = (self.plant.outputs.iter().zip(&sampled.outputs))
+        let newest = sampled.outputs.iter().zip(&sampled.counts).map(|(value, count)| count.unwrap_or(*value));
+        let anchors: Vec<Option<Anchor>> = (self.plant.outputs.iter().zip(newest))
             .map(|(output, newest)| {
                 let turn = injections::round(&output.wrap.as_ref()?.turn, self.plant.scalar);
-                Some(Anchor { newest: *newest, turn })
+                Some(Anchor { newest, turn })
             })
             .collect();
         let place = (sampled.newest, kept_len(self.functional));
@@ -212,12 +221,23 @@ impl<'a> Lowering<'a> {
     pub(crate) fn store(&mut self, sampled: &Sampled) {
         self.builder.section("into the window");
         self.builder.set(self.cells.newest, sampled.newest);
-        for (kept, value) in self.cells.outputs.iter().zip(&sampled.outputs) {
-            kept.write(&mut self.builder, sampled.newest, *value);
+        let kept = self.cells.outputs.iter().zip(&sampled.outputs).zip(&sampled.counts);
+        for (o, ((kept, value), count)) in kept.enumerate() {
+            let slot = sampled.slots.get(o).copied().unwrap_or(sampled.newest);
+            kept.write(&mut self.builder, slot, count.unwrap_or(*value));
+            if slot != sampled.newest && self.plant.outputs[o].wrap.is_some() {
+                // Until the sample of now comes, nothing has moved.
+                kept.write(&mut self.builder, sampled.newest, *value);
+            }
         }
         let present = self.cells.memory.as_ref().map(|memory| memory.present.as_slice()).unwrap_or_default();
-        for (ring, value) in present.iter().zip(&sampled.present) {
-            self.builder.set_ring(*ring, sampled.newest, *value);
+        for ((ring, value), slot) in present.iter().zip(&sampled.present).zip(&sampled.slots) {
+            if *slot != sampled.newest {
+                // The sample of now comes later.
+                let none = self.builder.float(0.0);
+                self.builder.set_ring(*ring, sampled.newest, none);
+            }
+            self.builder.set_ring(*ring, *slot, *value);
         }
         for (kept, value) in self.cells.signals.iter().zip(&sampled.signals) {
             kept.write(&mut self.builder, sampled.newest, *value);

@@ -29,6 +29,10 @@ pub struct Linear {
     pub delays: Vec<usize>,
     /// Per output, where declared.
     pub noise: Vec<f64>,
+    /// Per output, where declared: measured at every so many calls.
+    pub every: Vec<usize>,
+    /// Per output, where declared: the oldest sample that comes with its age, s.
+    pub ages: Vec<f64>,
 }
 
 /// Sizes and kinds, which proptest shrinks; the numbers follow from a seed.
@@ -57,7 +61,23 @@ impl Linear {
         }
         let holds = (0..m).map(|_| if random.below(2) == 0 { Hold::Zero } else { Hold::First }).collect();
         let steps = n + delays.iter().max().unwrap() + spare;
-        (Self { discrete, equations, h, steps, a, b, c, holds, delays, noise: Vec::new() }, random)
+        (
+            Self {
+                discrete,
+                equations,
+                h,
+                steps,
+                a,
+                b,
+                c,
+                holds,
+                delays,
+                noise: Vec::new(),
+                every: Vec::new(),
+                ages: Vec::new(),
+            },
+            random,
+        )
     }
 
     /// The specification; `observer` is a table's name with its keys beside the window, a line each.
@@ -112,7 +132,9 @@ impl Linear {
             };
             let late = if *delay > 0 { format!("delay = {}", *delay as f64 * self.h) } else { String::new() };
             let noise = self.noise.get(o).map_or_else(String::new, |noise| format!("noise = {noise}"));
-            let entries: Vec<String> = [value, late, noise].into_iter().filter(|s| !s.is_empty()).collect();
+            let every = self.every.get(o).map_or_else(String::new, |every| format!("every = {every}"));
+            let age = self.ages.get(o).map_or_else(String::new, |most| format!("age = 'measured', age_max = {most}"));
+            let entries: Vec<String> = [value, late, noise, every, age].into_iter().filter(|s| !s.is_empty()).collect();
             let _ = writeln!(text, "y{} = {{ {} }}", o + 1, entries.join(", "));
         }
         let _ = writeln!(text, "{observer}\n[target]\nsample_time = {}\nscalar = 'f64'", self.h);

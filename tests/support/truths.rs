@@ -11,27 +11,41 @@ use super::plant::{Hold, Truth, corpus};
 pub fn truth(name: &str) -> Option<Truth> {
     Some(match name {
         "battery" => battery(),
-        "dc_motor" | "motor_known_start" | "motor_single_delay" | "motor_intermittent" | "motor_recursive" | "luenberger" => dc_motor(),
+        "dc_motor" | "motor_known_start" | "motor_single_delay" | "motor_intermittent" | "motor_recursive"
+        | "luenberger" => dc_motor(),
         "motor_continuous" => smooth_motor(),
         "differentiator" => integrators(&[2.0, 3.0, 5.0, 5.0]),
-        "differentiator_encoder" | "three_windows" => integrators(&[0.5, 2.0, 5.0]),
+        "differentiator_encoder" | "lossy_encoder" | "three_windows" | "hand_guided" => integrators(&[0.5, 2.0, 5.0]),
+        "swing_up" => integrators(&[2.0, 5.0]),
+        "pendulum_turning" => pendulum_turning(),
         // A ramp, whose backward differences are its derivatives.
         "differentiator_euler" => {
             Truth { start: vec![(290.0, 310.0), (-0.05, 0.05), (0.0, 0.0)], ..integrators(&[0.0; 3]) }
         }
         "pll" | "low_pass" | "adaptive_window" => integrators(&[2.0, 20.0]),
+        // Within half a turn, so that the truth need not be folded.
+        "shaft_wrapped" => integrators(&[0.5, 2.0, 5.0]),
+        "joint_wrapped" => joint(),
+        "car_rates" => car(),
         "alpha_beta" => integrators(&[100.0, 5.0]),
         "alpha_beta_gamma" => integrators(&[0.1, 0.5, 2.0]),
         "drive_irregular" => drive_irregular(),
         "drive_prescribed" => drive_prescribed(),
         "fixed_time_linear" => shaker(),
         "inverted_cart" => inverted_cart(0.3),
-        "late_position" => late_position(0.4),
+        "late_position" | "lossy_position" => late_position(0.4),
+        "lossy_arm" => lossy_arm(),
+        "two_rates" => two_rates(),
         "long_window" | "high_gain" => long_window(),
         "magnetic_levitation" => magnetic_levitation(),
         "mass_chain" => mass_chain(),
         "oscillator" | "oscillator_known_start" | "oscillator_kalman" | "oscillator_handover" => oscillator(),
-        "pendulum" | "pendulum_known_start" | "pendulum_single_delay" | "pendulum_impulsive" | "pendulum_prescribed" | "kalman" => pendulum(),
+        "pendulum"
+        | "pendulum_known_start"
+        | "pendulum_single_delay"
+        | "pendulum_impulsive"
+        | "pendulum_prescribed"
+        | "kalman" => pendulum(),
         "pendulum_discrete" => pendulum_discrete(),
         "robust_exact" => swinging(),
         "small_memory" => small_memory(),
@@ -47,12 +61,14 @@ pub fn truth(name: &str) -> Option<Truth> {
     })
 }
 
-/// The stems of all files in specs/.
+/// The stems of all files in specs/ whose samples are floats: any number of a counter's unit, and NaN.
+/// What counters give: `tests/wrap.rs`.
 pub fn names() -> Vec<String> {
     let folder = format!("{}/specs", env!("CARGO_MANIFEST_DIR"));
     let entries = std::fs::read_dir(&folder).unwrap_or_else(|error| panic!("{folder}: {error}"));
     let paths = entries.map(|entry| entry.unwrap().path()).filter(|path| path.extension().is_some_and(|e| e == "toml"));
     let mut names: Vec<String> = paths.map(|path| path.file_stem().unwrap().to_str().unwrap().to_owned()).collect();
+    names.retain(|name| !corpus(name).contains("sample = \""));
     names.sort();
     names
 }
@@ -92,6 +108,21 @@ pub fn is_baseline(name: &str) -> bool {
 fn uses(name: &str, methods: &[&str]) -> bool {
     let of = |method: &&str| corpus(name).lines().any(|line| line.trim() == format!("[observer.{method}]"));
     methods.iter().any(of)
+}
+
+/// Not so far that it turns.
+fn pendulum_turning() -> Truth {
+    let (m, l, b, g): (f64, f64, f64, f64) = (0.6, 0.45, 0.15, 9.81);
+    Truth {
+        discrete: false,
+        change: Box::new(move |_, x, u| vec![x[1], (u[0] + x[2] - b * x[1]) / (m * l * l) - g / l * x[0].sin(), 0.0]),
+        outputs: Box::new(|x, _| vec![x[0]]),
+        delays: vec![0.0],
+        holds: vec![Hold::Zero],
+        start: vec![(-1.0, 1.0), (-2.0, 2.0), (-0.3, 0.3)],
+        input: vec![(-0.5, 0.5)],
+        exact: false,
+    }
 }
 
 fn dc_motor() -> Truth {
@@ -137,6 +168,33 @@ fn integrators(start: &[f64]) -> Truth {
         holds: vec![],
         start: start.iter().map(|most| (-most, *most)).collect(),
         input: vec![],
+        exact: true,
+    }
+}
+
+/// Within half a turn, so that the truth need not be folded.
+fn joint() -> Truth {
+    Truth {
+        discrete: false,
+        change: Box::new(|_, x, u| vec![x[1], 4.0 * u[0] - 19.6 * x[0].sin() - 0.5 * x[1]]),
+        outputs: Box::new(|x, _| vec![x[0]]),
+        delays: vec![0.0],
+        holds: vec![Hold::Zero],
+        start: vec![(-0.5, 0.5), (-1.0, 1.0)],
+        input: vec![(-2.0, 2.0)],
+        exact: false,
+    }
+}
+
+fn car() -> Truth {
+    Truth {
+        discrete: false,
+        change: Box::new(|_, x, u| vec![x[1], u[0] + x[2], 0.0]),
+        outputs: Box::new(|x, _| vec![x[1], x[0]]),
+        delays: vec![0.0; 2],
+        holds: vec![Hold::Zero],
+        start: vec![(-5.0, 5.0), (-5.0, 5.0), (-0.5, 0.5)],
+        input: vec![(-2.0, 2.0)],
         exact: true,
     }
 }
@@ -228,6 +286,33 @@ pub fn inverted_cart(ground: f64) -> Truth {
         start: vec![(-0.1, 0.1), (-0.05, 0.05), (-0.2, 0.2), (-0.1, 0.1)],
         input: vec![(-1.0, 1.0)],
         exact: ground == 0.0,
+    }
+}
+
+/// Swings that stay within a turn, so that the estimate of a wrapped angle is the angle.
+fn lossy_arm() -> Truth {
+    Truth {
+        discrete: false,
+        change: Box::new(|_, x, u| vec![x[1], 8.0 * u[0] - 35.0 * x[0].sin() - x[1]]),
+        outputs: Box::new(|x, _| vec![x[0]]),
+        delays: vec![0.0],
+        holds: vec![Hold::Zero],
+        start: vec![(-0.5, 0.5), (-2.0, 2.0)],
+        input: vec![(-1.0, 1.0)],
+        exact: false,
+    }
+}
+
+fn two_rates() -> Truth {
+    Truth {
+        discrete: false,
+        change: Box::new(|_, x, u| vec![x[1], u[0] / 2.5 - 0.8 * x[1] + x[2], 0.0]),
+        outputs: Box::new(|x, _| vec![x[0], x[1]]),
+        delays: vec![0.02, 0.0],
+        holds: vec![Hold::Zero],
+        start: vec![(-1.0, 1.0), (-1.0, 1.0), (-0.5, 0.5)],
+        input: vec![(-2.0, 2.0)],
+        exact: true,
     }
 }
 

@@ -16,9 +16,10 @@ use crate::spec::Quantity;
 use crate::window::certificate::slope;
 use crate::window::coordinates::{Blocks, Coordinates};
 use crate::window::intermittent::{Condition, Lifted, noise_gains};
+use crate::window::irregular::{self, Pattern};
 use crate::window::settle::settle;
 use crate::window::solve::{Choice, Exact};
-use crate::window::{Functional, Gaps, Signal, count, irregular, seconds, trimmed, tune, whole_samples};
+use crate::window::{Functional, Gaps, Signal, count, seconds, trimmed, tune, whole_samples};
 
 impl Keys {
     /// Whether measurements at irregular times are enough, and what that makes of the functional.
@@ -210,14 +211,15 @@ impl Intermittent {
         let delays = vec![0; plant.outputs.len()];
         let (mut functional, exact, mut numerics) = settle(plant, signals, &delays, steps, &Choice::LeastSquares)?;
         numerics.condition = condition;
-        let irregular = irregular::design(plant, signals, steps, most)?;
-        let rounding = irregular::unit(plant.scalar) * irregular.amplification(most);
-        let certificate = irregular::certify(plant, &irregular, &exact, most);
+        let pattern = Pattern::together(plant.outputs.len(), most);
+        let irregular = irregular::design(plant, signals, steps, pattern)?;
+        let rounding = irregular::unit(plant.scalar) * irregular.amplification();
+        let certificate = irregular::certify(plant, &functional, &irregular, &exact);
         let refuse = |message: &str, label: String, number: f64, help: &str| {
             let error = Diagnostic::error(codes::WINDOW_TOO_SHORT, self.max.span(), message);
             vec![error.label(label).measured(number).help(help)]
         };
-        let Some(certificate) = certificate else {
+        let Some((mut certificate, _)) = certificate else {
             let message = "measurements so far apart do not show every state within the window";
             return Err(refuse(
                 message,
@@ -237,6 +239,8 @@ impl Intermittent {
             let help = "measure more often, or leave the fast states out of the model";
             return Err(refuse(message, label, irregular.pivot, help));
         }
+        // Patterns within the declared gaps may cost more than regular ones, so that these bound nothing.
+        certificate.error_bound = vec![None; plant.states.len()];
         functional.irregular = Some(irregular);
         functional.gaps = Some(Gaps { most, settled: steps + 1 });
         let h = plant.sample_time_s();

@@ -1,5 +1,6 @@
 //! The state of a window method, and its names.
 
+use crate::front::counts::Counts;
 use crate::plant::Plant;
 use crate::program::builder::Builder;
 use crate::program::{CellId, Value};
@@ -7,13 +8,15 @@ use crate::program::{CellId, Value};
 use super::super::Functional;
 use super::count::longest_count;
 use super::irregular::Memory;
-use super::{injections, kept_len, late_len};
+use super::{injections, kept_len, late_len, window_len};
 
 /// What is kept of a sampled signal.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Kept {
     /// The window, by slot.
     Window(CellId),
+    /// The window of a counter, by slot, as it counts.
+    Counts(CellId, Counts),
     /// The newest value alone.
     Newest(CellId),
 }
@@ -23,7 +26,7 @@ impl Kept {
     pub(crate) fn ring(self) -> CellId {
         match self {
             Self::Window(ring) => ring,
-            Self::Newest(_) => unreachable!("asked for by steps that keep the window"),
+            Self::Counts(..) | Self::Newest(_) => unreachable!("asked for by steps that keep the window as floats"),
         }
     }
 
@@ -31,14 +34,36 @@ impl Kept {
     pub(super) fn read(self, b: &mut Builder, slot: Value) -> Value {
         match self {
             Self::Window(ring) => b.read_ring(ring, slot),
+            Self::Counts(ring, counts) => {
+                let count = b.read_ring(ring, slot);
+                counts.place(b, count)
+            }
             Self::Newest(cell) => b.read(cell),
         }
     }
 
-    /// Keeps a value that becomes the newest.
+    /// The count that stands at a slot, with its counter.
+    pub(super) fn count(self, b: &mut Builder, slot: Value) -> Option<(Value, Counts)> {
+        let Self::Counts(ring, counts) = self else { return None };
+        Some((b.read_ring(ring, slot), counts))
+    }
+
+    /// Keeps a value, of a counter as the nearest count.
+    pub(super) fn put(self, b: &mut Builder, slot: Value, value: Value) {
+        match self {
+            Self::Counts(_, counts) => {
+                let none = b.index(0);
+                let count = counts.further(b, none, value);
+                self.write(b, slot, count);
+            }
+            Self::Window(_) | Self::Newest(_) => self.write(b, slot, value),
+        }
+    }
+
+    /// Keeps a value that becomes the newest; of a counter, its count.
     pub(super) fn write(self, b: &mut Builder, slot: Value, value: Value) {
         match self {
-            Self::Window(ring) => b.set_ring(ring, slot, value),
+            Self::Window(ring) | Self::Counts(ring, _) => b.set_ring(ring, slot, value),
             Self::Newest(cell) => b.set(cell, value),
         }
     }
@@ -70,6 +95,8 @@ pub(crate) struct Cells {
     pub(super) late: Vec<Option<CellId>>,
     /// Calls since init.
     pub(super) calls: CellId,
+    /// Calls since a sample was accepted, where they are asked for.
+    pub(super) coasted: Option<CellId>,
     /// Of an estimate from the samples that are there.
     pub(super) memory: Option<Memory>,
 }
@@ -82,7 +109,11 @@ pub(super) fn declare(builder: &mut Builder, plant: &Plant, functional: &Functio
     let outputs = plant.outputs.iter().enumerate().map(|(o, output)| {
         let (name, unit) = (&output.label.name, bracketed(&output.label.unit));
         let initial = injections::initial_output(plant, o, scalar);
-        if stores {
+        let counts = Counts::of(plant, output).filter(|_| stores && functional.irregular.is_none());
+        if let Some(counts) = counts {
+            let ring = builder.counts(name, &format!("counts of {name} by slot"), window, counts.bits, 0);
+            Kept::Counts(ring, counts)
+        } else if stores {
             Kept::Window(builder.ring(name, &format!("samples of {name} by slot{unit}"), window, initial))
         } else {
             Kept::Newest(builder.float_cell(name, &format!("the newest sample of {name}{unit}"), initial))
@@ -117,10 +148,12 @@ pub(super) fn declare(builder: &mut Builder, plant: &Plant, functional: &Functio
         )
     });
     let missed = missed.collect();
+    // Where samples are left out, the solve keeps these.
+    let predicts = functional.irregular.is_none();
     let rejected = plant.outputs.iter().map(|output| {
         let name = &output.label.name;
         let doc = format!("samples of {name} rejected in a row");
-        output.gate.as_ref().map(|_| builder.index_cell(&format!("rejected_{name}"), &doc, 0))
+        output.gate.as_ref().filter(|_| predicts).map(|_| builder.index_cell(&format!("rejected_{name}"), &doc, 0))
     });
     let rejected = rejected.collect();
     let irregular = if functional.gaps.is_some() { plant.outputs.as_slice() } else { &[] };
@@ -148,11 +181,29 @@ pub(super) fn declare(builder: &mut Builder, plant: &Plant, functional: &Functio
         }
     }
     let calls = builder.index_cell("calls", "calls since init", 0);
-    let memory = functional.irregular.as_ref().map(|_| memory(builder, plant, window));
-    Cells { outputs, signals, inputs, newest, count, missed, rejected, gaps, coasting, ahead, late, calls, memory }
+    let coasted = plant.coasted && predicts;
+    let coasted = coasted.then(|| builder.index_cell("since", "calls since a sample was accepted", 0));
+    let memory = functional.irregular.as_ref().map(|_| memory(builder, plant, functional));
+    Cells {
+        outputs,
+        signals,
+        inputs,
+        newest,
+        count,
+        missed,
+        rejected,
+        gaps,
+        coasting,
+        ahead,
+        late,
+        calls,
+        coasted,
+        memory,
+    }
 }
 
-fn memory(builder: &mut Builder, plant: &Plant, window: u32) -> Memory {
+fn memory(builder: &mut Builder, plant: &Plant, functional: &Functional) -> Memory {
+    let window = window_len(functional);
     let present = plant.outputs.iter().map(|output| {
         let name = &output.label.name;
         builder.ring(&format!("has_{name}"), &format!("1 where there is a sample of {name}, by slot"), window, 0.0)
@@ -163,7 +214,15 @@ fn memory(builder: &mut Builder, plant: &Plant, window: u32) -> Memory {
         builder.float_cell(&format!("next_{name}"), &format!("{name} as the model predicts it, as far as known"), 0.0)
     });
     let next = next.collect();
-    Memory { present, next, known: builder.index_cell("known", "whether that comes from an estimate", 0) }
+    let known = builder.index_cell("known", "whether that comes from an estimate", 0);
+    let late = plant.outputs.iter().enumerate().map(|(o, output)| {
+        let delay = late_len(functional, o);
+        let (name, doc) = (format!("slot_{}", output.label.name), "slot of the time that the newest sample shows");
+        (delay > 0).then(|| builder.index_cell(&name, doc, window - 1 - delay))
+    });
+    let late = late.collect();
+    let coasted = builder.index_cell("since", "calls since a sample was accepted", 0);
+    Memory { present, next, known, late, coasted }
 }
 
 pub(crate) fn bracketed(unit: &str) -> String {

@@ -1,8 +1,9 @@
 //! How much of the window is good: when the estimate has converged, and for how long it coasts.
 
-use crate::program::Value;
+use crate::program::{CellId, Value};
 
 use super::super::Functional;
+use super::sample::any;
 use super::{Lowering, Sampled, kept_len, late_len, window_len};
 
 impl Lowering<'_> {
@@ -41,6 +42,17 @@ impl Lowering<'_> {
         let found = self.builder.read(found);
         let found = self.counted(found, ago);
         self.builder.and(full, found)
+    }
+
+    /// Calls since a sample was accepted.
+    pub(super) fn coasted(&mut self, cell: CellId, good: &[Value]) -> Value {
+        let b = &mut self.builder;
+        let accepted = any(b, good);
+        let (none, before) = (b.index(0), b.read(cell));
+        let more = b.count_up(before, u32::MAX);
+        let since = b.select(accepted, none, more);
+        b.set(cell, since);
+        since
     }
 
     /// Calls until no replaced sample is in the longest window.

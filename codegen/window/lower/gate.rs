@@ -6,17 +6,16 @@
 
 use super::sample::any;
 use super::{Lowering, late_len};
-use crate::front::folded;
 use crate::plant::sensor::Gate;
 use crate::program::Value;
 
 impl Lowering<'_> {
-    /// Takes from `good` what is further from its place than its gate; whether one output has lost patience, so that
+    /// Takes from `good` what is further from its place than its gate, by its `distance`; whether one output has lost patience, so that
     /// the window starts again with its sample. Before convergence, and without a usable prediction, every sample is
     /// believed.
-    pub(super) fn gate(
+    pub(super) fn doubt(
         &mut self,
-        measured: &[Value],
+        distance: &[Value],
         place: &[Value],
         good: &mut [Value],
         count: Value,
@@ -25,7 +24,7 @@ impl Lowering<'_> {
         for (o, good) in good.iter_mut().enumerate() {
             let Some(gate) = &self.plant.outputs[o].gate else { continue };
             let known = self.had_converged(count, late_len(self.functional, o).max(1));
-            let far = self.is_far(o, gate, (measured[o], place[o]));
+            let far = self.is_far(o, gate, (distance[o], place[o]));
             let doubted = self.builder.and(known, far);
             let doubted = self.builder.and(*good, doubted);
             again.push(self.patience(o, gate, doubted, good));
@@ -34,14 +33,11 @@ impl Lowering<'_> {
     }
 
     /// Whether a sample is beyond the gate of a place that it could have.
-    fn is_far(&mut self, output: usize, gate: &Gate, (measured, place): (Value, Value)) -> Value {
-        let sensor = &self.plant.outputs[output];
+    fn is_far(&mut self, output: usize, gate: &Gate, (distance, place): (Value, Value)) -> Value {
         let (low, high) = self.guard.outputs[output];
         let size = super::injections::round(&gate.size, self.plant.scalar);
         let b = &mut self.builder;
         let sane = b.in_range(place, low, high);
-        let distance = b.sub(measured, place);
-        let distance = folded(b, sensor, distance, self.plant.scalar);
         let near = b.in_range(distance, -size, size);
         let far = b.not(near);
         b.and(sane, far)

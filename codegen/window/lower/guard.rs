@@ -151,7 +151,9 @@ fn largest_gain(plant: &Plant, functional: &Functional) -> f64 {
         *gain = gain.max(of_way);
     }
     if let Some(irregular) = &functional.irregular {
-        let largest = irregular.largest_gain();
+        // What wraps is summed up from slot to slot.
+        let summed = if plant.outputs.iter().any(|o| o.wrap.is_some()) { irregular.rows.len() } else { 1 };
+        let largest = irregular.largest_gain() * super::super::count(summed);
         for gain in &mut states {
             *gain = gain.max(largest);
         }

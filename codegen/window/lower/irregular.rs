@@ -5,11 +5,14 @@
 //! Where too few samples determine the state, the model's prediction from the last estimate stands in.
 
 use crate::design::Settled;
+use crate::front;
+use crate::plant::{Plant, Wrap};
 use crate::program::builder::Builder;
 use crate::program::{CellId, Scalar, Value};
 
 use super::super::irregular::{Irregular, Sparse};
 use super::cells::Kept;
+use super::injections::round;
 use super::normal::{solve, triangle};
 use super::{Lowering, Sampled, place};
 
@@ -21,6 +24,10 @@ pub(super) struct Memory {
     pub(super) next: Vec<CellId>,
     /// Whether that prediction comes from an estimate.
     pub(super) known: CellId,
+    /// Per late output: the slot of the time that its newest sample shows.
+    pub(super) late: Vec<Option<CellId>>,
+    /// Calls since a sample was accepted.
+    pub(super) coasted: CellId,
 }
 
 /// What one pass carries.
@@ -28,12 +35,15 @@ struct Carried {
     normal: Vec<Value>,
     right: Vec<Value>,
     response: Vec<Value>,
+    /// Per output that wraps: how far it has moved since the oldest slot.
+    moved: Vec<Value>,
     slot: Value,
 }
 
 impl Carried {
     fn flat(&self) -> Vec<Value> {
-        self.normal.iter().chain(&self.right).chain(&self.response).copied().chain([self.slot]).collect()
+        let all = self.normal.iter().chain(&self.right).chain(&self.response).chain(&self.moved);
+        all.copied().chain([self.slot]).collect()
     }
 
     fn of(values: &[Value], n: usize) -> Self {
@@ -42,7 +52,8 @@ impl Carried {
             normal: values[..pairs].to_vec(),
             right: values[pairs..pairs + n].to_vec(),
             response: values[pairs + n..pairs + 2 * n].to_vec(),
-            slot: values[pairs + 2 * n],
+            moved: values[pairs + 2 * n..values.len() - 1].to_vec(),
+            slot: values[values.len() - 1],
         }
     }
 }
@@ -60,6 +71,7 @@ pub(super) struct Irregularly {
 /// One pass over the window.
 struct Pass<'a> {
     irregular: &'a Irregular,
+    plant: &'a Plant,
     scalar: Scalar,
     len: u32,
     outputs: &'a [Kept],
@@ -83,14 +95,33 @@ impl Pass<'_> {
                 b.sum(&terms)
             })
             .collect();
-        Carried { response, slot, ..carried }
+        let before = carried.slot;
+        let moved = self.turning().zip(&carried.moved).map(|((o, wrap), moved)| {
+            let (from, to) = (self.outputs[o].read(b, before), self.outputs[o].read(b, slot));
+            let step = b.sub(to, from);
+            let step = front::fold(b, step, round(&wrap.turn, self.scalar));
+            b.add(*moved, step)
+        });
+        let moved = moved.collect();
+        Carried { response, slot, moved, ..carried }
+    }
+
+    /// The outputs that wrap.
+    fn turning(&self) -> impl Iterator<Item = (usize, &Wrap)> {
+        turning(self.plant)
+    }
+
+    /// What an output showed at a slot; of one that wraps, how far it had moved.
+    fn sample(&self, b: &mut Builder, carried: &Carried, output: usize) -> Value {
+        let moved = self.turning().zip(&carried.moved).find(|((o, _), _)| *o == output);
+        moved.map_or_else(|| self.outputs[output].read(b, carried.slot), |(_, moved)| *moved)
     }
 
     /// Adds the samples of one slot to the normal equations.
     fn samples(&self, b: &mut Builder, mut carried: Carried, weights: &[Vec<Value>]) -> Carried {
         for (o, row) in weights.iter().enumerate() {
             let present = b.read_ring(self.present[o], carried.slot);
-            let sample = self.outputs[o].read(b, carried.slot);
+            let sample = self.sample(b, &carried, o);
             let foreseen = self.row(b, &self.irregular.c, o, &carried.response);
             let shown = b.sub(sample, foreseen);
             let trust = b.float(self.irregular.trust[o].value(self.scalar));
@@ -108,32 +139,84 @@ impl Pass<'_> {
         carried
     }
 
-    /// A row of a matrix times values.
     fn row(&self, b: &mut Builder, matrix: &Sparse, i: usize, values: &[Value]) -> Value {
-        let mut terms = Vec::new();
-        for (weight, value) in matrix[i].iter().zip(values) {
-            if let Some(weight) = weight {
-                let weight = b.float(weight.value(self.scalar));
-                terms.push(b.mul(weight, *value));
-            }
-        }
-        b.sum(&terms)
+        row(b, self.scalar, matrix, i, values)
     }
 
-    /// What signals do to a state; `None` where nothing acts.
     fn column(&self, b: &mut Builder, effects: &Sparse, i: usize, values: &[Value]) -> Option<Value> {
-        let column: Sparse = vec![effects.iter().map(|effect| effect[i]).collect()];
-        column[0].iter().any(Option::is_some).then(|| self.row(b, &column, 0, values))
+        column(b, self.scalar, effects, i, values)
     }
 }
 
+/// The outputs that wrap.
+fn turning(plant: &Plant) -> impl Iterator<Item = (usize, &Wrap)> {
+    plant.outputs.iter().enumerate().filter_map(|(o, output)| Some((o, output.wrap.as_ref()?)))
+}
+
+/// A row of a matrix times values.
+fn row(b: &mut Builder, scalar: Scalar, matrix: &Sparse, i: usize, values: &[Value]) -> Value {
+    let mut terms = Vec::new();
+    for (weight, value) in matrix[i].iter().zip(values) {
+        if let Some(weight) = weight {
+            let weight = b.float(weight.value(scalar));
+            terms.push(b.mul(weight, *value));
+        }
+    }
+    b.sum(&terms)
+}
+
+/// What signals do to a state; `None` where nothing acts.
+fn column(b: &mut Builder, scalar: Scalar, effects: &Sparse, i: usize, values: &[Value]) -> Option<Value> {
+    let column: Sparse = vec![effects.iter().map(|effect| effect[i]).collect()];
+    column[0].iter().any(Option::is_some).then(|| row(b, scalar, &column, 0, values))
+}
+
+/// Moves a state along the direction of a turn, by so much of the output.
+fn shift(b: &mut Builder, scalar: Scalar, wrap: &Wrap, state: &mut [Value], by: Value) {
+    for (state, weight) in state.iter_mut().zip(&wrap.direction).filter(|(_, weight)| !weight.is_zero()) {
+        let weight = b.float(round(weight, scalar));
+        let moved = b.mul(weight, by);
+        *state = b.add(*state, moved);
+    }
+}
+
+/// A state as the model predicts it, from the part that the last call knew and the signals of this one.
+fn predicted(
+    b: &mut Builder,
+    irregular: &Irregular,
+    scalar: Scalar,
+    next: CellId,
+    i: usize,
+    signals: &[Value],
+) -> Value {
+    let begun = b.read(next);
+    let ended = column(b, scalar, &irregular.end, i, signals);
+    ended.map_or(begun, |ended| b.add(begun, ended))
+}
+
 impl Lowering<'_> {
+    /// The state as the model predicts it, with the signals of this call.
+    pub(super) fn predicted_state(&mut self, signals: &[Value]) -> Vec<Value> {
+        let Some(irregular) = &self.functional.irregular else { return Vec::new() };
+        let (scalar, next) = (self.plant.scalar, self.memory().next.clone());
+        let b = &mut self.builder;
+        next.iter().enumerate().map(|(i, next)| predicted(b, irregular, scalar, *next, i, signals)).collect()
+    }
+
+    /// What an output shows of a state.
+    pub(super) fn shown(&mut self, output: usize, state: &[Value]) -> Value {
+        let Some(irregular) = &self.functional.irregular else { unreachable!("asked for by the solve") };
+        row(&mut self.builder, self.plant.scalar, &irregular.c, output, state)
+    }
+
     /// The estimate, and whether it comes from samples, or at least from the model.
     pub(super) fn irregular(&mut self, irregular: &Irregular, sampled: &Sampled, full: Value) -> Irregularly {
         let (outputs, signals) = (self.cells.outputs.clone(), self.cells.signals.clone());
         let memory = self.cells.memory.take().unwrap_or_else(|| unreachable!("declared with the solve"));
         let (scalar, len) = (self.plant.scalar, self.window());
-        let pass = Pass { irregular, scalar, len, outputs: &outputs, signals: &signals, present: &memory.present };
+        let plant = self.plant;
+        let pass =
+            Pass { irregular, plant, scalar, len, outputs: &outputs, signals: &signals, present: &memory.present };
         let passed = self.pass(&pass, sampled.newest);
         let threshold = self.plant.scalar_value(irregular.threshold);
         let b = &mut self.builder;
@@ -143,6 +226,12 @@ impl Lowering<'_> {
         for (i, response) in passed.response.iter().enumerate() {
             let free = pass.row(b, &irregular.through, i, &start);
             solved.push(b.add(free, *response));
+        }
+        for ((o, wrap), moved) in pass.turning().zip(&passed.moved) {
+            // Where the window's oldest slot was, seen from the newest sample.
+            let newest = outputs[o].read(b, sampled.newest);
+            let from = b.sub(newest, *moved);
+            shift(b, scalar, wrap, &mut solved, from);
         }
         let answer = self.fall_back(&pass, &memory, sampled, (solved, enough), full);
         self.cells.memory = Some(memory);
@@ -157,8 +246,8 @@ impl Lowering<'_> {
         b.section("rows of the window, oldest first; those without a sample count nothing");
         let zero = b.float(0.0);
         let slot = b.advance(newest, pass.len);
-        let start =
-            Carried { normal: vec![zero; triangle(n).len()], right: vec![zero; n], response: vec![zero; n], slot };
+        let (normal, moved) = (vec![zero; triangle(n).len()], pass.turning().map(|_| zero).collect());
+        let start = Carried { normal, right: vec![zero; n], response: vec![zero; n], moved, slot };
         let value = |weight: &Settled| weight.value(scalar);
         let first: Vec<Vec<Value>> =
             irregular.rows[0].iter().map(|row| row.iter().map(|weight| b.float(value(weight))).collect()).collect();
@@ -190,10 +279,18 @@ impl Lowering<'_> {
         let known = b.read(memory.known);
         let mut usable = b.index_equal(known, one);
         let mut estimate = Vec::new();
-        for (i, solved) in solved.into_iter().enumerate() {
-            let begun = b.read(memory.next[i]);
-            let ended = pass.column(b, &irregular.end, i, &sampled.signals);
-            let predicted = ended.map_or(begun, |ended| b.add(begun, ended));
+        let mut foreseen: Vec<Value> = (0..solved.len())
+            .map(|i| predicted(b, irregular, pass.scalar, memory.next[i], i, &sampled.signals))
+            .collect();
+        for (o, wrap) in pass.turning() {
+            let turn = round(&wrap.turn, pass.scalar);
+            let shown = row(b, pass.scalar, &irregular.c, o, &foreseen);
+            let turns = front::turns(b, shown, turn);
+            let back = b.float(-turn);
+            let back = b.mul(turns, back);
+            shift(b, pass.scalar, wrap, &mut foreseen, back);
+        }
+        for (solved, predicted) in solved.into_iter().zip(foreseen) {
             let sane = b.in_range(predicted, -bound, bound);
             usable = b.and(usable, sane);
             estimate.push(b.select(enough, solved, predicted));

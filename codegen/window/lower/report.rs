@@ -3,7 +3,7 @@
 use crate::design::Settled;
 use crate::plant::Plant;
 use crate::program::builder::Builder;
-use crate::program::{Status, Value};
+use crate::program::{Field, Kind, Status, Value};
 
 use super::super::Part;
 use super::injections::Injections;
@@ -64,6 +64,7 @@ impl Lowering<'_> {
     /// The estimate where it is known, else the start; and how far it can be trusted.
     pub(crate) fn report(&mut self, estimate: &[Value], sampled: &Sampled, standing: &Standing) {
         self.show(estimate, sampled, standing.known, "");
+        self.show_coasted(sampled);
         self.stand(standing);
     }
 
@@ -83,6 +84,13 @@ impl Lowering<'_> {
             let name = format!("{}{behind}", state.label.name);
             self.builder.estimate(field(&name, &state.label.unit, &state.label.doc), value);
         }
+    }
+
+    /// Calls since the newest accepted sample, where they are asked for.
+    pub(super) fn show_coasted(&mut self, sampled: &Sampled) {
+        let Some(coasted) = sampled.coasted else { return };
+        let (name, doc) = ("coasted".into(), "calls since the newest accepted sample".into());
+        self.builder.estimate(Field { name, unit: String::new(), doc, kind: Kind::Index }, coasted);
     }
 
     /// The status.

@@ -11,14 +11,14 @@ use super::injections::{Injections, Moment};
 use super::{Lowering, Sampled, late_len, place};
 
 /// The signals of this call, as far as they are known.
-struct Signals<'a> {
-    injections: Injections<'a>,
+pub(super) struct Signals<'a> {
+    pub(super) injections: Injections<'a>,
     /// Per signal.
-    values: Vec<Option<Value>>,
+    pub(super) values: Vec<Option<Value>>,
     /// Whether what was sampled now was good: one per sample that may be bad.
-    now: Vec<Value>,
+    pub(super) now: Vec<Value>,
     /// Whether what was applied since the last call was good.
-    since: Vec<Value>,
+    pub(super) since: Vec<Value>,
 }
 
 impl<'a> Lowering<'a> {
@@ -43,7 +43,9 @@ impl<'a> Lowering<'a> {
         let last: Vec<Value> =
             self.cells.outputs.clone().iter().map(|kept| kept.read(&mut self.builder, before)).collect();
         let place: Vec<Value> = (0..outputs).map(|o| self.placed(o, predicted[o], last[o])).collect();
-        let again = self.gate(&measured, &place, &mut good, count);
+        let distance: Vec<Value> =
+            (0..outputs).map(|o| self.distance(o, (measured[o], place[o]), predicted[o], before)).collect();
+        let again = self.doubt(&distance, &place, &mut good, count);
         let candidates: Vec<Value> = (0..outputs)
             .map(|o| {
                 // The injections are guarded for samples within the range; so must be what stands in for one.
@@ -57,22 +59,26 @@ impl<'a> Lowering<'a> {
         self.known_with_the_samples(&mut signals, before, &candidates);
         let values: Vec<Value> = signals.values.into_iter().flatten().collect();
         let mut lost = Vec::new();
-        let stored = (0..outputs)
+        let (stored, counts) = (0..outputs)
             .map(|o| {
-                let refined = self.refine(o, predicted[o], &values, before);
-                let refined = self.placed(o, refined, last[o]);
+                let further = self.refine(o, predicted[o], &values, before);
+                let refined = self.placed(o, further, last[o]);
                 let (low, high) = self.guard.outputs[o];
                 let sane = self.builder.in_range(refined, low, high);
                 // A late sample is predicted from an estimate of some calls ago, which must have converged.
                 let known = self.had_converged(count, late_len(self.functional, o).max(1));
                 let usable = self.builder.and(known, sane);
-                let instead = self.builder.select(usable, refined, last[o]);
                 let covered = self.builder.or(good[o], usable);
                 lost.push(self.builder.not(covered));
-                self.builder.select(good[o], measured[o], instead)
+                if let Some(stored) = self.counted_further(o, (good[o], usable), further, before) {
+                    return stored;
+                }
+                let instead = self.builder.select(usable, refined, last[o]);
+                (self.builder.select(good[o], measured[o], instead), None)
             })
-            .collect();
+            .unzip();
 
+        let coasted = self.cells.coasted.map(|cell| self.coasted(cell, &good));
         let patience = |o: usize| window - late_len(self.functional, o);
         let missed: Vec<_> = self.cells.missed.iter().enumerate().map(|(o, cell)| (*cell, patience(o))).collect();
         lost.extend(abandoned(&mut self.builder, &missed, &good));
@@ -92,59 +98,17 @@ impl<'a> Lowering<'a> {
             lost,
             again,
             outputs: stored,
+            counts,
             signals: values,
             inputs: signals.injections.inputs,
             present: Vec::new(),
-        }
-    }
-
-    /// Reads, guards and evaluates for an estimate from the samples that are there: nothing stands in for the others.
-    pub(super) fn sample_what_is_there(&mut self) -> Sampled {
-        let window = self.window();
-        self.builder.section("samples: outside its range, infinite or NaN means missing");
-        let before = self.builder.read(self.cells.newest);
-        let before = self.builder.at_most(before, window - 1);
-        let read = (0..self.plant.outputs.len()).map(|o| self.read_output(o)).collect();
-        let mut signals = self.read_signals(before);
-        let read = self.without_inputs(read, &signals.injections.inputs);
-        let newest = self.builder.advance(before, window);
-        let (zero, one) = (self.builder.float(0.0), self.builder.float(1.0));
-        let all_kept = self.cells.outputs.clone();
-        let outputs: Vec<Value> = read
-            .iter()
-            .zip(all_kept)
-            .map(|((value, good), kept)| {
-                let last = kept.read(&mut self.builder, before);
-                self.builder.select(*good, *value, last)
-            })
-            .collect();
-        let present = read.iter().map(|(_, good)| self.builder.select(*good, one, zero)).collect();
-        let count = self.builder.read(self.cells.count);
-        let expected = self.expected(read.iter().map(|(_, good)| *good).collect(), count);
-        self.known_before_the_samples(&mut signals, before);
-        self.known_with_the_samples(&mut signals, before, &outputs);
-        let values = signals.values.into_iter().flatten().collect();
-        let (samples_good, lost) = (self.builder.boolean(true), self.builder.boolean(false));
-        let of_now: Vec<Value> = expected.into_iter().chain(signals.now).collect();
-        let (interval_good, newest_good) = (all(&mut self.builder, &signals.since), all(&mut self.builder, &of_now));
-        let late = Vec::new();
-        Sampled {
-            newest,
-            samples_good,
-            interval_good,
-            newest_good,
-            late,
-            lost,
-            again: None,
-            outputs,
-            signals: values,
-            inputs: signals.injections.inputs,
-            present,
+            slots: Vec::new(),
+            coasted,
         }
     }
 
     /// Whether each sample is good, or missing as measurements at irregular times are.
-    fn expected(&mut self, good: Vec<Value>, count: Value) -> Vec<Value> {
+    pub(super) fn expected(&mut self, good: Vec<Value>, count: Value) -> Vec<Value> {
         let Some(gaps) = self.functional.gaps else { return good };
         // Predictions need a first sample; a solve over what is there does not.
         let started =
@@ -165,20 +129,52 @@ impl<'a> Lowering<'a> {
         expected
     }
 
+    /// How far a sample is from the place that it should have.
+    fn distance(&mut self, output: usize, (measured, place): (Value, Value), predicted: Value, before: Value) -> Value {
+        let (sensor, scalar, b) = (&self.plant.outputs[output], self.plant.scalar, &mut self.builder);
+        let distance = match self.cells.outputs[output].count(b, before) {
+            Some((last, counts)) => {
+                let now = b.read_count(super::place(output));
+                let moved = counts.moved(b, now, last);
+                b.sub(moved, predicted)
+            }
+            None => b.sub(measured, place),
+        };
+        front::folded(b, sensor, distance, scalar)
+    }
+
+    /// What enters the window of an output that is kept as a count, in its unit and as that: the sample if it is good,
+    /// else the count that is nearest to so much further than the last one, if that is usable.
+    fn counted_further(
+        &mut self,
+        output: usize,
+        (good, usable): (Value, Value),
+        further: Value,
+        before: Value,
+    ) -> Option<(Value, Option<Value>)> {
+        let b = &mut self.builder;
+        let (last, counts) = self.cells.outputs[output].count(b, before)?;
+        let now = b.read_count(super::place(output));
+        let foretold = counts.further(b, last, further);
+        let instead = b.select(usable, foretold, last);
+        let count = b.select(good, now, instead);
+        Some((counts.place(b, count), Some(count)))
+    }
+
     /// A sample, with its inputs still in it.
-    fn read_output(&mut self, output: usize) -> (Value, Value) {
+    pub(super) fn read_output(&mut self, output: usize) -> (Value, Value) {
         front::read(&mut self.builder, self.plant, output, self.guard.outputs[output])
     }
 
     /// Samples without the inputs that they have in them.
-    fn without_inputs(&mut self, samples: Vec<(Value, Value)>, inputs: &[Value]) -> Vec<(Value, Value)> {
+    pub(super) fn without_inputs(&mut self, samples: Vec<(Value, Value)>, inputs: &[Value]) -> Vec<(Value, Value)> {
         let (b, plant, ranges) = (&mut self.builder, self.plant, &self.guard.outputs);
         let each = samples.into_iter().zip(ranges).enumerate();
         each.map(|(o, (sample, range))| front::without_inputs(b, plant, o, sample, inputs, *range)).collect()
     }
 
     /// The inputs, with the last good value in place of a bad one.
-    fn read_signals(&mut self, before: Value) -> Signals<'a> {
+    pub(super) fn read_signals(&mut self, before: Value) -> Signals<'a> {
         let mut signals = Signals {
             injections: Injections::new(self.plant, self.cells.calls, Vec::new()),
             values: vec![None; self.functional.signals.len()],
@@ -208,7 +204,7 @@ impl<'a> Lowering<'a> {
 
     /// Signals that need no sample of this call: inputs, what is constant since the last call, and
     /// the starts of intervals.
-    fn known_before_the_samples(&mut self, signals: &mut Signals, before: Value) {
+    pub(super) fn known_before_the_samples(&mut self, signals: &mut Signals, before: Value) {
         for (s, signal) in self.functional.signals.iter().enumerate() {
             let moment = match (signal.part, signal.source) {
                 (Part::Start, _) => Moment::Before(before),
@@ -222,7 +218,7 @@ impl<'a> Lowering<'a> {
     }
 
     /// Signals that depend on the samples of this call.
-    fn known_with_the_samples(&mut self, signals: &mut Signals, before: Value, samples: &[Value]) {
+    pub(super) fn known_with_the_samples(&mut self, signals: &mut Signals, before: Value, samples: &[Value]) {
         for (s, signal) in self.functional.signals.iter().enumerate() {
             if signals.values[s].is_some() {
                 continue;
@@ -267,6 +263,17 @@ impl<'a> Lowering<'a> {
 /// Its predictions would then feed on themselves, corrected by what the others see of it; nothing makes
 /// that recursion stable. With every output missing it is the plant's own model, which may go on.
 pub(crate) fn abandoned(b: &mut Builder, missed: &[(CellId, u32)], good: &[Value]) -> Option<Value> {
+    let gone = gone(b, missed, good);
+    if gone.is_empty() {
+        return None;
+    }
+    let (any, all) = (any(b, &gone), all(b, &gone));
+    let some_left = b.not(all);
+    Some(b.and(any, some_left))
+}
+
+/// Whether each output has been missing for a whole window; counts on.
+pub(super) fn gone(b: &mut Builder, missed: &[(CellId, u32)], good: &[Value]) -> Vec<Value> {
     let mut gone = Vec::new();
     for ((cell, samples), good) in missed.iter().zip(good) {
         let before = b.read(*cell);
@@ -279,12 +286,7 @@ pub(crate) fn abandoned(b: &mut Builder, missed: &[(CellId, u32)], good: &[Value
         let count = b.select(*good, none, more);
         b.set(*cell, count);
     }
-    if gone.is_empty() {
-        return None;
-    }
-    let (any, all) = (any(b, &gone), all(b, &gone));
-    let some_left = b.not(all);
-    Some(b.and(any, some_left))
+    gone
 }
 
 /// Whether all of some truths hold.

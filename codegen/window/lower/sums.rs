@@ -37,7 +37,7 @@ struct Track<'a> {
 /// What an output's samples are subtracted from.
 #[derive(Clone, Copy, Debug)]
 pub struct Anchor {
-    /// The newest sample.
+    /// The newest sample, as it is kept: a float, or a count.
     pub newest: Value,
     /// One turn, in the output's unit.
     pub turn: f64,
@@ -52,8 +52,11 @@ impl Track<'_> {
 
     /// What is summed of the sample at a slot.
     fn sample(&self, b: &mut Builder, slot: Value) -> Value {
+        let Some(anchor) = self.anchor else { return self.kept.read(b, slot) };
+        if let Some((count, counts)) = self.kept.count(b, slot) {
+            return counts.moved(b, count, anchor.newest);
+        }
         let sample = self.kept.read(b, slot);
-        let Some(anchor) = self.anchor else { return sample };
         let moved = b.sub(sample, anchor.newest);
         fold(b, moved, anchor.turn)
     }

@@ -1,8 +1,8 @@
 //! Several windows over one ring of samples: a sum for each, and what is shown until the longer ones are full.
 
 use super::count::settled;
-use super::{Lowering, Sampled, Standing, window_len};
-use crate::program::Value;
+use super::{Lowering, Sampled, Standing, index, window_len};
+use crate::program::{Field, Kind, Value};
 
 impl Lowering<'_> {
     /// The longer windows, the prediction, the estimates and the status; `shortest` is the shortest window's estimate.
@@ -34,6 +34,25 @@ impl Lowering<'_> {
             let behind = if place == 0 { String::new() } else { format!("_{}", place + 1) };
             self.show(&estimate, sampled, known, &behind);
         }
+        let converged = self.converged_windows(&full);
+        let (name, doc) = ("windows", "how many windows have converged without a replaced sample, shortest first");
+        let field = Field { name: name.into(), unit: String::new(), doc: doc.into(), kind: Kind::Index };
+        self.builder.estimate(field, converged);
+        self.show_coasted(sampled);
         self.stand(&Standing { known, determined, renewed: None });
+    }
+
+    /// How many windows are full of good samples: every shorter one of such a window is, too.
+    fn converged_windows(&mut self, full: &[Value]) -> Value {
+        let coasting = self.builder.read(self.cells.coasting);
+        let mut converged = self.builder.index(0);
+        for (place, (window, full)) in self.functional.windows().zip(full).enumerate() {
+            let left = self.builder.index(self.kept() - window_len(window) + 1);
+            let clean = self.builder.index_less(coasting, left);
+            let good = self.builder.and(*full, clean);
+            let number = self.builder.index(index(place + 1));
+            converged = self.builder.select(good, number, converged);
+        }
+        converged
     }
 }

@@ -1,0 +1,199 @@
+//! `missing = "left-out"`: least squares over the samples that are there, solved in the step.
+
+use std::ops::Range;
+
+use super::super::{Cannot, Feature};
+use super::{Keys, METHOD, Weighting, constants, fir, resolution_warnings, time_warning};
+use crate::describe::short;
+use crate::design::{Convergence, Design, Shape};
+use crate::diagnostic::{Diagnostic, codes};
+use crate::plant::Plant;
+use crate::window::irregular::{self, Irregular, Pattern, certify};
+use crate::window::model::Between;
+use crate::window::realize::Wanted;
+use crate::window::settle::settle;
+use crate::window::solve::Choice;
+use crate::window::{Signal, count, seconds, trimmed};
+
+/// What becomes of a missing sample.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Missing {
+    /// The model's prediction stands in.
+    Predicted,
+    /// It is left out.
+    LeftOut,
+}
+
+/// The key's words.
+pub(super) const WORDS: [(&str, Missing); 2] = [("predicted", Missing::Predicted), ("left-out", Missing::LeftOut)];
+
+/// The most operations of a step: 10 ms of a processor that does forty million a second.
+const MOST_OPERATIONS: usize = 400_000;
+
+/// What a step that leaves samples out cannot do.
+pub(super) fn cannot(feature: Feature, plant: &Plant) -> Option<Cannot> {
+    let late = || plant.outputs.iter().any(|output| output.delay.is_some() && output.gate.is_some());
+    let (why, instead) = match feature {
+        Feature::Gate if late() => {
+            ("the sample is late, and no prediction of it is kept", "leave out `gate` or `delay`")
+        }
+        Feature::Wrap | Feature::Gate | Feature::Every | Feature::Coasted | Feature::Ahead => return None,
+        Feature::Counter => (
+            "rows of samples that are there are solved in floats",
+            "hand over floats with `quantum` and `wrap`, or leave out `missing`",
+        ),
+        Feature::Age | Feature::InitAt => ("it is not built yet", "leave the key out"),
+    };
+    Some(Cannot { why, instead })
+}
+
+impl Keys {
+    /// Whether the step solves for the rows that are there: asked for, or the only way.
+    pub(super) fn leaves_out(&self, plant: &Plant) -> bool {
+        let irregular = plant.outputs.iter().any(|output| output.every > 1 || output.aged.is_some());
+        irregular || self.missing.0 == Some(Missing::LeftOut)
+    }
+
+    /// The plant with an estimate that says how old the newest sample is.
+    pub(super) fn counted(&self, mut plant: Plant) -> Result<Plant, Vec<Diagnostic>> {
+        plant.coasted = true;
+        match plant.states.iter().find(|state| state.label.name == "coasted") {
+            None => Ok(plant),
+            Some(state) => {
+                let message = "`coasted` is a field of the estimate";
+                let error = Diagnostic::error(codes::BAD_NAME, state.label.span.clone(), message);
+                let error = error.context(self.missing.1.clone(), "calls since the newest accepted sample");
+                Err(vec![error.help("another name for the state")])
+            }
+        }
+    }
+
+    /// The design, for samples that come as a pattern says when none is lost.
+    pub(super) fn left_out(
+        &self,
+        plant: &Plant,
+        signals: &[Signal],
+        steps: usize,
+        pattern: Pattern,
+        condition: f64,
+    ) -> Result<Design, Vec<Diagnostic>> {
+        self.refuse_what_a_solve_cannot()?;
+        let delays = pattern.delays().to_vec();
+        let (mut functional, exact, mut numerics) = settle(plant, signals, &delays, steps, &Choice::LeastSquares)?;
+        numerics.condition = condition;
+        let mut irregular = irregular::design(plant, signals, steps, pattern)?;
+        refuse_work(&irregular, &self.windows[0].span())?;
+        let certified = certify(plant, &functional, &irregular, &exact);
+        let certified = certified.filter(|_| irregular.pivot >= 16.0 * irregular::limit(plant));
+        let Some((certificate, phases)) = certified else {
+            return Err(vec![hardly_determined(plant, &irregular, &self.windows[0].span())]);
+        };
+        if phases.len() > 1 {
+            irregular.phases = phases;
+        }
+        let regular = irregular.phases.is_empty();
+        let notes = notes(&irregular, steps);
+        functional.irregular = Some(irregular);
+        let h = plant.sample_time_s();
+        let window = trimmed(seconds(steps, h));
+        Ok(Design {
+            method: METHOD.name,
+            realization: "solve",
+            summary: format!(
+                "least squares over the samples that are there of the last {} ({window} s at {h} s)",
+                steps + 1
+            ),
+            window_steps: steps,
+            valid_from_step: steps,
+            convergence: Convergence::Finite,
+            realizations: Vec::new(),
+            notes,
+            constants: constants(&exact.model),
+            fir: regular.then(|| fir(plant, &functional)),
+            certificate,
+            numerics,
+            warnings: time_warning(plant).into_iter().chain(resolution_warnings(plant)).collect(),
+            shape: Shape::Window(Box::new(functional)),
+        })
+    }
+
+    /// Keys that say how a sum with constant weights is computed.
+    fn refuse_what_a_solve_cannot(&self) -> Result<(), Vec<Diagnostic>> {
+        let mut found = Vec::new();
+        let mut refuse = |span: &Range<usize>, message: &str, help: &str| {
+            let error = Diagnostic::error(codes::BAD_COMBINATION, span.clone(), message);
+            found.push(error.context(self.missing.1.clone(), "the step solves for the rows that are there").help(help));
+        };
+        if self.missing.0 == Some(Missing::Predicted) {
+            let message = "samples that come at a rate of their own cannot be predicted in between";
+            refuse(&self.missing.1, message, "leave out `missing`, or `every` and `age`");
+        }
+        if let Some(second) = self.windows.get(1) {
+            let message = "samples that are left out are so of one window";
+            refuse(&second.span(), message, "one window, or `missing = \"predicted\"`");
+        }
+        if self.weighting == Weighting::Minimax {
+            let message = "minimax weights are of all samples of a window";
+            refuse(&self.weights_span, message, "leave out `weights`, or write `missing = \"predicted\"`");
+        }
+        if self.wanted != Wanted::Auto {
+            let message = "samples that are left out can be computed in one way only";
+            refuse(&self.wanted_span, message, "leave out `realization`, or write `missing = \"predicted\"`");
+        }
+        if let Some(second) = self.windows.get(1) {
+            let message = "samples that are left out have one window";
+            refuse(&second.span(), message, "write one length, or `missing = \"predicted\"`");
+        }
+        if self.hold.0 == Between::Cubics {
+            let message = "no cubic runs through samples that are left out";
+            refuse(&self.hold.1, message, "leave out `hold`, or write `missing = \"predicted\"`");
+        }
+        if found.is_empty() { Ok(()) } else { Err(found) }
+    }
+}
+
+/// Refuses a step that does more than a small processor can.
+fn refuse_work(irregular: &Irregular, window: &Range<usize>) -> Result<(), Vec<Diagnostic>> {
+    let (operations, rows) = (irregular.operations(), irregular.rows.len());
+    if operations <= MOST_OPERATIONS {
+        return Ok(());
+    }
+    let message = "leaving samples out takes too many operations a call";
+    let most = MOST_OPERATIONS * rows / operations;
+    let error = Diagnostic::error(codes::WINDOW_TOO_LONG, window.clone(), message)
+        .label(format!("{operations} for {rows} samples; at most {MOST_OPERATIONS} are generated"))
+        .measured(count(operations));
+    let help = format!("a window of at most {most} samples, a longer sample time, or `missing = \"predicted\"`");
+    Err(vec![error.help(help)])
+}
+
+/// The rows are there, but rounding hides what they show.
+fn hardly_determined(plant: &Plant, irregular: &Irregular, window: &Range<usize>) -> Diagnostic {
+    let limit = 16.0 * irregular::limit(plant);
+    Diagnostic::error(codes::WINDOW_TOO_SHORT, window.clone(), "the samples hardly determine the state")
+        .label(format!(
+            "smallest pivot {} of the normal equations; {} needs {}",
+            short(irregular.pivot),
+            plant.scalar,
+            short(limit)
+        ))
+        .measured(irregular.pivot)
+        .help("a longer window, measure more often, or `scalar = \"f64\"`")
+}
+
+/// What the header says of it.
+fn notes(irregular: &Irregular, steps: usize) -> Vec<String> {
+    let mut notes = vec![
+        "a missing sample is left out: with fewer samples the gains are larger, without noise the estimate is as exact"
+            .to_owned(),
+        "where those that are there do not determine the state, the model's prediction stands in (COASTING)".to_owned(),
+    ];
+    let period = irregular.phases.len();
+    if period > 1 {
+        notes.push(format!(
+            "gains at the worst of {period} phases with the samples that are due, {} calls a window; `design` has each",
+            steps + 1
+        ));
+    }
+    notes
+}

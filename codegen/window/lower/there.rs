@@ -1,0 +1,234 @@
+//! The first half of a step whose estimate is of the samples that are there: nothing stands in for a missing one, but
+//! where a nonlinear term needs its value.
+
+use crate::expr::Symbol;
+use crate::front;
+use crate::program::Value;
+
+use super::super::{Part, Source};
+use super::injections::round;
+use super::irregular::Memory;
+use super::sample::{Signals, all, any, gone};
+use super::{Lowering, Sampled};
+
+impl Lowering<'_> {
+    /// Reads, guards and evaluates.
+    pub(super) fn sample_what_is_there(&mut self) -> Sampled {
+        let window = self.window();
+        self.builder.section("samples: outside its range, infinite or NaN means missing");
+        let before = self.builder.read(self.cells.newest);
+        let before = self.builder.at_most(before, window - 1);
+        let outputs = self.plant.outputs.len();
+        let read = (0..outputs).map(|o| self.read_output(o)).collect();
+        let mut signals = self.read_signals(before);
+        let (measured, good): (Vec<Value>, Vec<Value>) =
+            self.without_inputs(read, &signals.injections.inputs).into_iter().unzip();
+        let newest = self.builder.advance(before, window);
+        let feeds = self.feeds();
+        let gated = self.plant.outputs.iter().any(|output| output.gate.is_some());
+        let foreseen = (gated || feeds.contains(&true)).then(|| {
+            self.builder.section("prediction of what the samples show");
+            self.known_before_the_samples(&mut signals, before);
+            self.foresee(&signals.values, before)
+        });
+        let (good, mut lost) = match &foreseen {
+            Some(state) if gated => self.accepted((&measured, &good), state),
+            _ => (good, Vec::new()),
+        };
+        let (zero, one) = (self.builder.float(0.0), self.builder.float(1.0));
+        let slots: Vec<(Value, Value)> = (0..outputs).map(|o| self.slot(o, before, newest)).collect();
+        let used: Vec<Value> = (0..outputs)
+            .map(|o| {
+                let last = self.cells.outputs[o].read(&mut self.builder, slots[o].0);
+                let instead = if feeds[o] { self.instead(o, foreseen.as_deref(), last) } else { last };
+                self.builder.select(good[o], measured[o], instead)
+            })
+            .collect();
+        let present = good.iter().map(|good| self.builder.select(*good, one, zero)).collect();
+        let count = self.builder.read(self.cells.count);
+        let expected = if self.functional.gaps.is_some() {
+            self.expected(good.clone(), count)
+        } else {
+            // Nothing is worse for a sample that is left out, unless a nonlinear term needs it.
+            good.iter().zip(&feeds).filter(|(_, feeds)| **feeds).map(|(good, _)| *good).collect()
+        };
+        if foreseen.is_none() {
+            self.known_before_the_samples(&mut signals, before);
+        }
+        self.known_with_the_samples(&mut signals, before, &used);
+        let Signals { injections, values, now, since } = signals;
+        let values: Vec<Value> = values.into_iter().flatten().collect();
+        let (outputs, runs_away) = match foreseen {
+            Some(_) if feeds.contains(&true) => self.settle_stand_ins(&feeds, (&measured, &good), &used, &values),
+            _ => (used, Vec::new()),
+        };
+        lost.extend(runs_away);
+        let lost = any(&mut self.builder, &lost);
+        let cell = self.plant.coasted.then(|| self.memory().coasted);
+        let coasted = cell.map(|cell| self.coasted(cell, &good));
+        let samples_good = self.builder.boolean(true);
+        let of_now: Vec<Value> = expected.into_iter().chain(now).collect();
+        let (interval_good, newest_good) = (all(&mut self.builder, &since), all(&mut self.builder, &of_now));
+        let late = Vec::new();
+        Sampled {
+            newest,
+            samples_good,
+            interval_good,
+            newest_good,
+            late,
+            lost,
+            counts: vec![None; outputs.len()],
+            outputs,
+            signals: values,
+            inputs: injections.inputs,
+            present,
+            slots: slots.into_iter().map(|(_, slot)| slot).collect(),
+            coasted,
+            again: None,
+        }
+    }
+
+    /// Samples that are near what the model predicts, where there is an estimate; and whether to start again, after
+    /// too many in a row that were not.
+    fn accepted(&mut self, (measured, good): (&[Value], &[Value]), state: &[Value]) -> (Vec<Value>, Vec<Value>) {
+        let plant = self.plant;
+        let known = self.known();
+        let unknown = self.builder.not(known);
+        let (mut accepted, mut lost) = (good.to_vec(), Vec::new());
+        for (o, output) in plant.outputs.iter().enumerate() {
+            let (Some(gate), Some(cell)) = (&output.gate, self.cells.rejected[o]) else { continue };
+            let size = round(&gate.size, plant.scalar);
+            let limit = gate.limit.unwrap_or(self.window() - 1).max(1);
+            let predicted = self.shown(o, state);
+            let b = &mut self.builder;
+            let off = b.sub(measured[o], predicted);
+            let off = front::folded(b, output, off, plant.scalar);
+            let near = b.in_range(off, -size, size);
+            let believed = b.or(near, unknown);
+            accepted[o] = b.and(good[o], believed);
+            let far = b.not(believed);
+            let rejected = b.and(good[o], far);
+            let (none, before) = (b.index(0), b.read(cell));
+            let more = b.count_up(before, limit);
+            let kept = b.select(accepted[o], none, before);
+            let count = b.select(rejected, more, kept);
+            let last = b.index(limit - 1);
+            let over = b.index_less(last, count);
+            let count = b.select(over, none, count);
+            b.set(cell, count);
+            lost.push(over);
+        }
+        (accepted, lost)
+    }
+
+    /// Per output: whether a nonlinear term needs its value.
+    fn feeds(&self) -> Vec<bool> {
+        let mut feeds = vec![false; self.plant.outputs.len()];
+        for signal in &self.functional.signals {
+            let Source::Injection(k) = signal.source else { continue };
+            for symbol in self.plant.injections[k].symbols() {
+                let Symbol::State(j) = symbol else { continue };
+                self.plant.states[j].measured.iter().for_each(|(o, _)| feeds[*o] = true);
+            }
+        }
+        feeds
+    }
+
+    pub(super) fn memory(&self) -> &Memory {
+        self.cells.memory.as_ref().unwrap_or_else(|| unreachable!("declared with the solve"))
+    }
+
+    /// Where a sample of this call stands: at the slot of the time that it shows; with the slot before.
+    fn slot(&mut self, output: usize, before: Value, newest: Value) -> (Value, Value) {
+        let Some(cell) = self.memory().late[output] else { return (before, newest) };
+        let window = self.window();
+        let before = self.builder.read(cell);
+        let before = self.builder.at_most(before, window - 1);
+        let slot = self.builder.advance(before, window);
+        self.builder.set(cell, slot);
+        (before, slot)
+    }
+
+    /// The state as the model predicts it before the samples are known: what runs to a value that they bring stays
+    /// where it was.
+    fn foresee(&mut self, signals: &[Option<Value>], before: Value) -> Vec<Value> {
+        let mut values = Vec::new();
+        for (s, signal) in self.functional.signals.iter().enumerate() {
+            values.push(match (signals[s], signal.part) {
+                (Some(value), _) => value,
+                // The end follows its start.
+                (None, Part::End) => values[s - 1],
+                (None, _) => self.cells.signals[s].read(&mut self.builder, before),
+            });
+        }
+        self.predicted_state(&values)
+    }
+
+    /// What the model predicts of an output where there is an estimate, else what it showed last.
+    fn instead(&mut self, output: usize, state: Option<&[Value]>, last: Value) -> Value {
+        let Some(state) = state else { return last };
+        let (predicted, sane) = self.stand_in(output, state);
+        let known = self.known();
+        let usable = self.builder.and(known, sane);
+        self.builder.select(usable, predicted, last)
+    }
+
+    /// What an output shows of a predicted state, folded where it wraps; and whether a sample may be so.
+    fn stand_in(&mut self, output: usize, state: &[Value]) -> (Value, Value) {
+        let (plant, (low, high)) = (self.plant, self.guard.outputs[output]);
+        let predicted = self.shown(output, state);
+        let b = &mut self.builder;
+        let predicted = front::folded(b, &plant.outputs[output], predicted, plant.scalar);
+        let (low, high) = plant.outputs[output].wrap.as_ref().map_or((low, high), |wrap| {
+            let turn = round(&wrap.turn, plant.scalar);
+            (low.max(-turn), high.min(turn))
+        });
+        (predicted, b.in_range(predicted, low, high))
+    }
+
+    /// What the window keeps for nonlinear terms, now that the signals are known at both ends; and whether to start
+    /// again: a prediction beyond the range, or one that has fed on itself for a window.
+    fn settle_stand_ins(
+        &mut self,
+        feeds: &[bool],
+        (measured, good): (&[Value], &[Value]),
+        used: &[Value],
+        signals: &[Value],
+    ) -> (Vec<Value>, Vec<Value>) {
+        let state = self.predicted_state(signals);
+        let known = self.known();
+        let mut lost = Vec::new();
+        let mut kept = Vec::new();
+        for o in 0..measured.len() {
+            if !feeds[o] {
+                kept.push(used[o]);
+                continue;
+            }
+            let (predicted, sane) = self.stand_in(o, &state);
+            let usable = self.builder.and(known, sane);
+            let instead = self.builder.select(usable, predicted, used[o]);
+            kept.push(self.builder.select(good[o], measured[o], instead));
+            let (missing, beyond) = (self.builder.not(good[o]), self.builder.not(sane));
+            let runs_away = self.builder.and(known, beyond);
+            lost.push(self.builder.and(missing, runs_away));
+        }
+        let window = self.window();
+        let missed: Vec<_> = self.cells.missed.iter().map(|cell| (*cell, window)).collect();
+        let gone = gone(&mut self.builder, &missed, good);
+        if !gone.is_empty() {
+            let feeding: Vec<Value> =
+                gone.iter().zip(feeds).filter(|(_, feeds)| **feeds).map(|(gone, _)| *gone).collect();
+            let (some, all) = (any(&mut self.builder, &feeding), all(&mut self.builder, &gone));
+            let some_left = self.builder.not(all);
+            lost.push(self.builder.and(some, some_left));
+        }
+        (kept, lost)
+    }
+
+    /// Whether the last call had an estimate.
+    fn known(&mut self) -> Value {
+        let known = self.memory().known;
+        let (known, one) = (self.builder.read(known), self.builder.index(1));
+        self.builder.index_equal(known, one)
+    }
+}
