@@ -80,12 +80,12 @@ struct Cells {
     rejected: Vec<Option<CellId>>,
     /// Calls since the newest accepted sample.
     coasted: CellId,
+    /// 1 from a start by an estimate until the first good call, where there is such a start.
+    given: Option<CellId>,
     /// Calls since every output was due.
     phase: CellId,
     /// Per output that is not due at every call: the calls until it is.
     due: Vec<Option<CellId>>,
-    /// 1 from a start by an estimate until the first good call, where there is such a start.
-    given: Option<CellId>,
 }
 
 impl Cells {

@@ -60,15 +60,7 @@ pub fn refused(plant: &Plant, keyed: &dyn Keyed, method: &str) -> Vec<Diagnostic
         let error = Diagnostic::error(codes::METHOD_CANNOT, span, message);
         Some(error.context(plant.span.clone(), "the method").help(cannot.instead))
     };
-    asked(plant).into_iter().filter_map(refusal).chain(coasted_twice(plant)).chain(contradiction(plant)).collect()
-}
-
-/// A state that is called as the field which counts the calls since a sample was accepted.
-fn coasted_twice(plant: &Plant) -> Option<Diagnostic> {
-    let state = plant.states.iter().find(|state| plant.coasted && state.label.name == "coasted")?;
-    let message = "`coasted` names two fields of the estimate";
-    let error = Diagnostic::error(codes::DUPLICATE_NAME, state.label.span.clone(), message);
-    Some(error.label("so are the calls since the newest accepted sample called").help("rename the state"))
+    asked(plant).into_iter().filter_map(refusal).chain(contradiction(plant)).chain(coasted_twice(plant)).collect()
 }
 
 /// An estimate for later is none to start from.
@@ -77,6 +69,14 @@ fn contradiction(plant: &Plant) -> Option<Diagnostic> {
     let message = "`init_at` starts from an estimate of now, and `ahead` gives estimates for later";
     let error = Diagnostic::error(codes::METHOD_CANNOT, span.clone(), message);
     Some(error.help("leave one of them out"))
+}
+
+/// A state that is called as the field which counts the calls since a sample was accepted.
+fn coasted_twice(plant: &Plant) -> Option<Diagnostic> {
+    let state = plant.states.iter().find(|state| plant.coasted && state.label.name == "coasted")?;
+    let message = "`coasted` names two fields of the estimate";
+    let error = Diagnostic::error(codes::DUPLICATE_NAME, state.label.span.clone(), message);
+    Some(error.label("so are the calls since the newest accepted sample called").help("rename the state"))
 }
 
 /// What is asked for, with the places.

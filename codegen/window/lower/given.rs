@@ -134,7 +134,7 @@ impl Lowering<'_> {
                 let shown = given::shown(b, plant, &state, o, *range);
                 // What arrives late was sampled before: nothing is known of it.
                 if functional.delays[o] == 0 {
-                    cells.outputs[o].write(b, slot, shown);
+                    cells.outputs[o].put(b, slot, shown);
                 }
                 outputs.push(shown);
             }
