@@ -171,7 +171,7 @@ fn joint() -> Truth {
     Truth {
         discrete: false,
         change: Box::new(|_, x, u| vec![x[1], 4.0 * u[0] - 19.6 * x[0].sin() - 0.5 * x[1]]),
-        outputs: Box::new(|x| vec![x[0]]),
+        outputs: Box::new(|x, _| vec![x[0]]),
         delays: vec![0.0],
         holds: vec![Hold::Zero],
         start: vec![(-0.5, 0.5), (-1.0, 1.0)],
@@ -184,7 +184,7 @@ fn car() -> Truth {
     Truth {
         discrete: false,
         change: Box::new(|_, x, u| vec![x[1], u[0] + x[2], 0.0]),
-        outputs: Box::new(|x| vec![x[1], x[0]]),
+        outputs: Box::new(|x, _| vec![x[1], x[0]]),
         delays: vec![0.0; 2],
         holds: vec![Hold::Zero],
         start: vec![(-5.0, 5.0), (-5.0, 5.0), (-0.5, 0.5)],
