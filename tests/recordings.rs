@@ -162,7 +162,7 @@ fn tuned_estimators_tie() {
 }
 
 /// Claim: the receiver's own stamps and those of reception tell the same 19 missing epochs and give the same speed to a
-/// few percent; with no stamps the gaps go unseen, and the speed is wrong by a metre a second.
+/// few percent; with no stamps the gaps go unseen, and the speed is wrong by more than a metre a second.
 #[test]
 fn stamps_tell_which_samples_are_missing() {
     for name in ["window_9_steps", "kalman_tuned"] {
@@ -192,5 +192,6 @@ fn stamps_tell_which_samples_are_missing() {
     }
     let error = f64::sqrt(squares / f64::from(rows));
     println!("no stamps: {error} m/s");
-    assert!((0.5..2.0).contains(&error), "{error}");
+    // A gap is a jump of a metre at 11 m/s, and stays in the window for nine steps.
+    assert!((1.0..4.0).contains(&error), "{error}");
 }

@@ -297,6 +297,7 @@ impl Contest {
             (rival.converged_row, rival.converged_after) = (Some(self.rows), Some(now - first));
         }
         for (quantity, at) in self.quantities.iter_mut().zip(&entrant.places) {
+            let converged = entrant.interface.has_converged(*at, &sample.estimate, sample.status);
             quantity.estimates[place].push(if converged { sample.estimate[*at] } else { f64::NAN });
         }
         Ok(())
