@@ -5,7 +5,8 @@
 //! Methods differ in K alone. A gain law is
 //!
 //! - a constant,
-//! - a table with a row per call until the promised one, or
+//! - a table with a row per call until the promised one,
+//! - a table that goes round, for outputs at several rates, or
 //! - a countdown: with r steps left to the prescribed time T = N h, the implicit Euler step of 003 (4) or 004 (7) in
 //!   scaled coordinates has the injections `c_i = h^i g_i`, whose products `r^n c_i` are polynomials in r without
 //!   negative coefficients ([`law`]). With `S_j = sum_(i>=j) c_i`, `kappa_j = S_j / (1 + S_1)` lies in (0, 1], takes
@@ -31,6 +32,7 @@ pub mod holloway_krstic;
 pub mod law;
 pub mod lower;
 pub mod noise;
+pub mod periodic;
 pub mod placement;
 pub mod riccati;
 pub mod schedule;
@@ -126,6 +128,8 @@ pub enum Gain {
     Constant(Grid),
     /// K of calls 1, 2, …, N - stop; n x p each.
     Table(Vec<Vec<Vec<Settled>>>),
+    /// K of the calls of a cycle, over and over; n x p each.
+    Periodic(Vec<Vec<Vec<Settled>>>),
     /// kappa from the steps left.
     Countdown(Polynomials),
     /// kappa from the size of the innovation.

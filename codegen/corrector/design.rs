@@ -89,7 +89,7 @@ pub fn build(request: &Request) -> Result<Built, Vec<Diagnostic>> {
     corrector.recovery = errors.recovery(valid, remaining.share);
     let convergence = match request.promise {
         Promise::At(_) => Convergence::Prescribed { left: remaining.share },
-        Promise::Contracted => Convergence::Geometric { radius: errors.radius(), period: 1 },
+        Promise::Contracted => Convergence::Geometric { radius: errors.radius(), period: schedule.cycle.len() },
     };
     Ok(Built { corrector, exact, schedule, certificate, numerics, convergence, remaining })
 }

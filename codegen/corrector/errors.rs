@@ -180,9 +180,11 @@ impl<'a> Errors<'a> {
         Remaining { share: frobenius(&product(&far, &orthonormalised(&columns))), by_state }
     }
 
-    /// The spectral radius of the last gain's transition.
+    /// The spectral radius of the last gain's transition, or of a whole cycle's.
     pub fn radius(&self) -> f64 {
-        let step = self.transition(self.lead.len() + self.cycle.len());
+        let calls = self.lead.len() + 1..=self.lead.len() + self.cycle.len();
+        let first = self.transition(*calls.start());
+        let step = calls.skip(1).fold(first, |step, call| product(&self.transition(call), &step));
         let n = step.len();
         let matrix = nalgebra::DMatrix::from_fn(n, n, |i, j| step[i][j]);
         matrix.complex_eigenvalues().iter().map(|z| (z.re * z.re + z.im * z.im).sqrt()).fold(0.0, f64::max)

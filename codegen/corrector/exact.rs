@@ -18,6 +18,8 @@ pub enum Law {
     Kappa(Matrix),
     /// K of calls 1, 2, …, n x p each, in the plant's states.
     Table(Vec<Matrix>),
+    /// K of the calls of a cycle, n x p each, in the plant's states.
+    Periodic(Vec<Matrix>),
     /// `r^n c_i` by powers of r.
     Countdown(Rows),
     /// The robust exact differentiator's.
@@ -45,7 +47,7 @@ impl Law {
         matches!(self, Self::Kappa(_) | Self::Countdown(_) | Self::Sliding(_))
     }
 
-    /// K of a call with `left` steps left, or of call `lead - left`; in doubles.
+    /// K of a call with `left` steps left, of call `lead - left`, or of that place of a cycle; in doubles.
     pub fn gain(&self, exact: &Exact, counting: Counting, left: usize) -> Vec<Vec<f64>> {
         let spread = |kappa: &[f64]| {
             let chain = exact.chain.as_ref().unwrap_or_else(|| unreachable!("a law of the chain has one"));
@@ -60,6 +62,7 @@ impl Law {
             // Up to an innovation of c_n, which is what the certificate is of; `sliding::Backward` has the rest.
             Self::Sliding(law) => spread(&vec![1.0; law.ratios.len() + 1]),
             Self::Kappa(kappa) => spread(&kappa.iter().map(Real::to_f64).collect::<Vec<_>>()),
+            Self::Periodic(rows) => rows[left % rows.len()].to_f64(),
             Self::Table(rows) => rows[(counting.steps - left).max(1) - 1].to_f64(),
             Self::Countdown(rows) => {
                 let rows: Vec<Vec<f64>> = rows.iter().map(|row| row.iter().map(Real::to_f64).collect()).collect();

@@ -44,7 +44,7 @@ fn constants(design: &Corrector) -> Vec<Vec<Settled>> {
     }
     match &design.gain {
         Gain::Constant(gain) => all.push(entries(gain)),
-        Gain::Table(rows) => all.push(rows.iter().flatten().flatten().copied().collect()),
+        Gain::Table(rows) | Gain::Periodic(rows) => all.push(rows.iter().flatten().flatten().copied().collect()),
         Gain::Countdown(law) => all.push(entries(&law.terms)),
         Gain::Sliding { law, .. } => {
             all.extend([vec![law.reach], vec![law.inverse], law.ratios.clone(), law.terms.clone()]);
@@ -109,7 +109,7 @@ fn largest(plant: &Plant, design: &Corrector) -> f64 {
     let ones = || vec![innovation; n];
     let mut gained = match &design.gain {
         Gain::Constant(gain) => scaled(row_sums(gain)),
-        Gain::Table(rows) => {
+        Gain::Table(rows) | Gain::Periodic(rows) => {
             let most = |i: usize| rows.iter().map(|k| k[i].iter().map(|x| x.double.abs()).sum()).fold(0.0, f64::max);
             scaled((0..n).map(most).collect())
         }

@@ -11,7 +11,7 @@
 //! what the first convergence left. A prediction outside the output's range starts the observer again, and so does a
 //! state beyond the floats' guard.
 //!
-//! **Turns and gates.** See [`turn`] and [`gate`].
+//! **Turns, gates, rates.** See [`turn`], [`gate`] and [`rates`].
 //!
 //! **Sliding.** Under the sliding law an innovation that is not explained
 //! makes both counts begin again, and one wider than the output's range starts the observer again.
@@ -19,6 +19,7 @@
 mod gain;
 mod gate;
 mod known;
+mod rates;
 mod turn;
 
 use crate::ahead::Ahead;
@@ -77,6 +78,10 @@ struct Cells {
     rejected: Vec<Option<CellId>>,
     /// Calls since the newest accepted sample.
     coasted: CellId,
+    /// Calls since every output was due.
+    phase: CellId,
+    /// Per output that is not due at every call: the calls until it is.
+    due: Vec<Option<CellId>>,
 }
 
 impl Cells {
@@ -113,7 +118,9 @@ impl Cells {
         let calls = b.index_cell("calls", "calls since init", 0);
         let rejected = gate::cells(b, plant, design);
         let coasted = b.index_cell("coasted", "calls since the newest accepted sample", 0);
-        Self { state, left, good, clean, outputs, signals, inputs, calls, rejected, coasted }
+        let phase = b.index_cell("phase", "calls since every output was due", 0);
+        let due = rates::cells(b, plant);
+        Self { state, left, good, clean, outputs, signals, inputs, calls, rejected, coasted, phase, due }
     }
 }
 
@@ -146,8 +153,10 @@ struct Predicted {
     outputs: Vec<Value>,
     /// Per output: whether there is a sample.
     good: Vec<Value>,
-    /// Whether there is one of every output.
+    /// Whether there is one of every output that is due.
     measured: Value,
+    /// Whether there is one of every output.
+    complete: Value,
     /// Whether everything was good.
     fine: Value,
     /// Whether a sample was rejected for the last time: the observer starts again with it.
@@ -277,7 +286,7 @@ impl Lowering<'_> {
         let (starts, rests) = (self.starts(&predicted.outputs), self.rests());
         let mut state = Vec::new();
         for (i, value) in corrected.iter().enumerate() {
-            let start = self.builder.select(predicted.measured, starts[i], rests[i]);
+            let start = self.builder.select(predicted.complete, starts[i], rests[i]);
             let value = self.builder.select(again, start, *value);
             self.builder.set(self.cells.state[i], value);
             state.push(value);
@@ -301,7 +310,7 @@ impl Lowering<'_> {
     fn count(&mut self, predicted: &Predicted, again: Value, calm: Value) -> [Value; 2] {
         let (none, one) = (self.builder.index(0), self.builder.index(1));
         let most = calls(self.design.valid + 1);
-        let first = self.builder.select(predicted.measured, one, none);
+        let first = self.builder.select(predicted.complete, one, none);
         let good = self.builder.read(self.cells.good);
         let more = self.builder.count_up(good, most);
         let more = self.builder.select(calm, more, one);

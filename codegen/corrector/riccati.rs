@@ -47,7 +47,7 @@ pub enum Failure {
 }
 
 /// Guard bits of the sign iteration.
-const GUARD: usize = 64;
+pub(super) const GUARD: usize = 64;
 /// Steps of the sign iteration, which converges quadratically; a pencil with an eigenvalue on the unit circle to half
 /// of all digits never settles.
 const ITERATIONS: usize = 100;
@@ -74,7 +74,7 @@ pub fn steady(phi: &Matrix, c: &Matrix, noise: &Noise) -> Result<Steady, Failure
     })
 }
 
-fn check(noise: &Noise) -> Result<(), Failure> {
+pub(super) fn check(noise: &Noise) -> Result<(), Failure> {
     match (definiteness(&noise.measurement), definiteness(&noise.process)) {
         (Definiteness::Definite, Definiteness::Indefinite) => Err(Failure::ProcessNoise),
         (Definiteness::Definite, _) => Ok(()),
@@ -98,7 +98,7 @@ fn solution(phi: &Matrix, c: &Matrix, noise: &Noise) -> Result<Option<Steady>, F
 }
 
 /// K of a prediction with this covariance.
-fn gain(c: &Matrix, predicted: &Matrix, noise: &Noise) -> Result<Matrix, Failure> {
+pub(super) fn gain(c: &Matrix, predicted: &Matrix, noise: &Noise) -> Result<Matrix, Failure> {
     let seen = c * predicted;
     let innovation = &(&seen * &c.transpose()) + &noise.measurement;
     let gain = solve(&innovation, &seen).map_err(|_| Failure::MeasurementNoise(Definiteness::Semidefinite))?;
@@ -125,26 +125,31 @@ pub fn contracts(map: &Matrix) -> bool {
 /// P from the pencil `[[Phi', 0], [-Q, I]] - z [[I, C' R^-1 C], [0, Phi]]`: `[I; P]` spans what is inside the unit
 /// circle. `None` where an eigenvalue lies on it or the subspace has no such basis.
 fn stable_subspace(phi: &Matrix, c: &Matrix, noise: &Noise) -> Option<Matrix> {
-    let n = phi.rows();
     let p = phi.precision();
     let working = p.plus(GUARD);
     let wide = |m: &Matrix| m.with_precision(working);
     let (phi, c, q, r) = (wide(phi), wide(c), wide(&noise.process), wide(&noise.measurement));
     let information = &c.transpose() * &solve(&r, &c).ok()?;
+    subspace(&phi, &information, &q).map(|solution| solution.with_precision(p))
+}
+
+/// P of `P = Phi (I + P G)^-1 P Phi' + Q` with G n x n the information of a call's samples, at the precision given.
+pub(super) fn subspace(phi: &Matrix, information: &Matrix, q: &Matrix) -> Option<Matrix> {
+    let (n, working) = (phi.rows(), phi.precision());
     let identity = Matrix::identity(n, working);
     let mut left = Matrix::zeros(2 * n, 2 * n, working);
     left.set_block(0, 0, &phi.transpose());
-    left.set_block(n, 0, &-&q);
+    left.set_block(n, 0, &-q);
     left.set_block(n, n, &identity);
     let mut right = Matrix::zeros(2 * n, 2 * n, working);
     right.set_block(0, 0, &identity);
-    right.set_block(0, n, &information);
-    right.set_block(n, n, &phi);
+    right.set_block(0, n, information);
+    right.set_block(n, n, phi);
     let cayley = solve(&(&left + &right), &(&left - &right)).ok()?;
     let (scaled, shifts) = balanced(&cayley);
     let outside = &unbalanced(&sign(&scaled)?, &shifts) + &Matrix::identity(2 * n, working);
     let solution = least_squares(&outside.block(0..2 * n, n..2 * n), &-&outside.block(0..2 * n, 0..n)).ok()?;
-    Some((&solution + &solution.transpose()).shifted(-1).with_precision(p))
+    Some((&solution + &solution.transpose()).shifted(-1))
 }
 
 /// The matrix sign function by Newton's iteration, scaled by powers of two; `None` where it does not settle.

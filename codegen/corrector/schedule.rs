@@ -1,6 +1,6 @@
 //! The gain of every call, in doubles: for what is promised, not for what is computed.
 
-use super::exact::Exact;
+use super::exact::{Exact, Law};
 use super::{After, Counting};
 use crate::dense::Rows as Dense;
 
@@ -17,6 +17,11 @@ impl Schedule {
     /// Of a design; `valid` is the call that is promised where the gain is constant.
     pub fn new(exact: &Exact, counting: Counting, valid: usize) -> Self {
         let of = |left: usize| exact.law.gain(exact, counting, left);
+        if let Law::Periodic(gains) = &exact.law {
+            // The first sample is the cycle's first call.
+            let cycle = (valid + 1..=valid + gains.len()).map(of).collect();
+            return Self { lead: (1..=valid).map(of).collect(), cycle };
+        }
         if counting.lead() == 0 && counting.after != After::Restart {
             let constant = of(counting.stop);
             return Self { lead: vec![constant.clone(); valid], cycle: vec![constant] };

@@ -69,6 +69,9 @@ fn gain(pass: &mut Pass, [coarse, fine]: Both, counting: Counting) -> Gain {
         (Law::Table(c), Law::Table(f)) => {
             Gain::Table(c.iter().zip(f).map(|(c, f)| dense(entries(pass, c, f))).collect())
         }
+        (Law::Periodic(c), Law::Periodic(f)) => {
+            Gain::Periodic(c.iter().zip(f).map(|(c, f)| dense(entries(pass, c, f))).collect())
+        }
         (Law::Countdown(c), Law::Countdown(f)) => Gain::Countdown(polynomials(pass, c, f, counting)),
         (Law::Sliding(c), Law::Sliding(f)) => Gain::Sliding { law: c.settled(f, pass), calm: 0.0 },
         (Law::Kappa(c), Law::Kappa(f)) => {

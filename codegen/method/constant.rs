@@ -66,6 +66,10 @@ pub(super) fn design(plant: &Plant, asked: Asked) -> Result<Design, Vec<Diagnost
         matrices
             .push(NamedMatrix { letter: "K", rows: gain.iter().map(|row| row.iter().map(entry).collect()).collect() });
     }
+    if let Gain::Periodic(gains) = &corrector.gain {
+        let rows = gains.iter().flatten().map(|row| row.iter().map(|entry| entry.double).collect());
+        matrices.push(NamedMatrix { letter: "K", rows: rows.collect() });
+    }
     let mut warnings = asked.warnings;
     warnings.extend(time_warning(plant));
     warnings.extend(resolution_warnings(plant));

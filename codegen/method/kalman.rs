@@ -9,6 +9,8 @@
 //! **Conditions.** (C, A) observable at the sample time, noise on every output, process noise on every motion that
 //! neither grows nor dies out, no delay, nonlinearities in measured states, inputs and time only.
 
+mod rates;
+
 use std::sync::Arc;
 
 use super::constant::{Asked, Outputs, design, refuse};
@@ -53,13 +55,17 @@ const RESIDUAL: f64 = 1e-30;
 
 impl Keyed for Keys {
     fn cannot(&self, feature: Feature, _plant: &Plant) -> Option<Cannot> {
-        crate::corrector::cannot(feature)
+        if feature == Feature::Every { None } else { crate::corrector::cannot(feature) }
     }
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {
         let mut found = refuse(plant, METHOD.name, Outputs::Any);
+        let rates = rates::Rates::new(plant, &mut found);
         let noise = self.noise.check(plant, &mut found);
         let Some(noise) = noise.filter(|_| found.is_empty()) else { return Err(found) };
+        if let Some(rates) = rates {
+            return rates.design(plant, &noise);
+        }
         let law = |model: &Model, p: Precision| Ok(Law::Constant(filter(plant, &noise, model, p)?.gain));
         let notes = |exact: &Exact| {
             let model = &exact.model;
@@ -92,13 +98,19 @@ fn unsettled(plant: &Plant, residual: f64) -> Diagnostic {
 /// Standard deviations of the estimate, after the correction.
 fn deviations(plant: &Plant, model: &Model, steady: &Steady) -> String {
     let updated: Matrix = &steady.predicted - &(&steady.gain * &(&model.c * &steady.predicted));
+    let said = said_of(plant, &|i| updated[(i, i)].checked_sqrt().map_or(0.0, |x| x.to_f64()));
+    format!("standard deviations for this noise{said}")
+}
+
+/// A number per state, with what it leaves out.
+fn said_of(plant: &Plant, deviation: &dyn Fn(usize) -> f64) -> String {
     let each = plant.states.iter().enumerate().map(|(i, state)| {
-        let deviation = updated[(i, i)].checked_sqrt().map_or(0.0, |x| x.to_f64());
+        let deviation = deviation(i);
         let unit = if state.label.unit.is_empty() { String::new() } else { format!(" {}", state.label.unit) };
         format!("{} {}{unit}", state.label.name, show(deviation_digits(deviation)))
     });
     let without = if plant.injections.is_empty() { "" } else { ", without what it does through nonlinear terms" };
-    format!("standard deviations for this noise{without}: {}", each.collect::<Vec<_>>().join(", "))
+    format!("{without}: {}", each.collect::<Vec<_>>().join(", "))
 }
 
 /// Three digits.

@@ -251,6 +251,7 @@ impl Run {
         for (measurements, inputs) in self.measurements.iter().zip(&self.inputs) {
             let mut estimate = vec![0.0; generated.program.estimates.len()];
             answers.statuses.push(interpreter.step(measurements, inputs, &mut estimate));
+            estimate.truncate(generated.plant.states.len());
             answers.estimates.push(estimate);
         }
         answers

@@ -22,6 +22,10 @@ pub fn truth(name: &str) -> Option<Truth> {
             Truth { start: vec![(290.0, 310.0), (-0.05, 0.05), (0.0, 0.0)], ..integrators(&[0.0; 3]) }
         }
         "pll" | "low_pass" | "adaptive_window" => integrators(&[2.0, 20.0]),
+        // Within half a turn, so that the truth need not be folded.
+        "shaft_wrapped" => integrators(&[0.5, 2.0, 5.0]),
+        "joint_wrapped" => joint(),
+        "car_rates" => car(),
         "alpha_beta" => integrators(&[100.0, 5.0]),
         "alpha_beta_gamma" => integrators(&[0.1, 0.5, 2.0]),
         "drive_irregular" => drive_irregular(),
@@ -158,6 +162,33 @@ fn integrators(start: &[f64]) -> Truth {
         holds: vec![],
         start: start.iter().map(|most| (-most, *most)).collect(),
         input: vec![],
+        exact: true,
+    }
+}
+
+/// Within half a turn, so that the truth need not be folded.
+fn joint() -> Truth {
+    Truth {
+        discrete: false,
+        change: Box::new(|_, x, u| vec![x[1], 4.0 * u[0] - 19.6 * x[0].sin() - 0.5 * x[1]]),
+        outputs: Box::new(|x, _| vec![x[0]]),
+        delays: vec![0.0],
+        holds: vec![Hold::Zero],
+        start: vec![(-0.5, 0.5), (-1.0, 1.0)],
+        input: vec![(-2.0, 2.0)],
+        exact: false,
+    }
+}
+
+fn car() -> Truth {
+    Truth {
+        discrete: false,
+        change: Box::new(|_, x, u| vec![x[1], u[0] + x[2], 0.0]),
+        outputs: Box::new(|x, _| vec![x[1], x[0]]),
+        delays: vec![0.0; 2],
+        holds: vec![Hold::Zero],
+        start: vec![(-5.0, 5.0), (-5.0, 5.0), (-0.5, 0.5)],
+        input: vec![(-2.0, 2.0)],
         exact: true,
     }
 }

@@ -56,6 +56,8 @@ pub struct Quantity {
     /// The column of the reference.
     pub column: String,
     pub reference: Track,
+    /// Per row: the reference, NaN where it is not known.
+    pub known: Vec<f64>,
     /// Rows on which every estimate has converged and the reference is known.
     pub compared: Vec<usize>,
     /// Per rival, per row; NaN before convergence.
@@ -104,9 +106,9 @@ impl Quantity {
     /// Finds the rows to compare and scores every estimate on them.
     fn judge(&mut self, times: &[f64], entrants: &[Entrant], r: usize) {
         let mut from = 0;
-        let known: Vec<bool> =
-            times.iter().map(|time| self.reference.at(*time, &self.answer.turns, &mut from).is_finite()).collect();
-        let everyone = |row: &usize| known[*row] && self.estimates.iter().all(|estimate| estimate[*row].is_finite());
+        self.known = times.iter().map(|time| self.reference.at(*time, &self.answer.turns, &mut from)).collect();
+        let everyone =
+            |row: &usize| self.known[*row].is_finite() && self.estimates.iter().all(|it| it[*row].is_finite());
         self.compared = (0..times.len()).filter(everyone).collect();
         let score = |(entrant, estimate): (&Entrant, &Vec<f64>)| {
             let answer = &entrant.interface.answers[entrant.places[r]];
@@ -260,6 +262,7 @@ impl Contest {
             answer: entrants[0].interface.answers[entrants[0].places[r]].clone(),
             column: column.clone(),
             reference: Track::default(),
+            known: Vec::new(),
             compared: Vec::new(),
             estimates: vec![Vec::new(); entrants.len()],
             scores: Vec::new(),
@@ -294,6 +297,7 @@ impl Contest {
             (rival.converged_row, rival.converged_after) = (Some(self.rows), Some(now - first));
         }
         for (quantity, at) in self.quantities.iter_mut().zip(&entrant.places) {
+            let converged = entrant.interface.has_converged(*at, &sample.estimate, sample.status);
             quantity.estimates[place].push(if converged { sample.estimate[*at] } else { f64::NAN });
         }
         Ok(())

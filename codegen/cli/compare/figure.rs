@@ -8,15 +8,15 @@ use super::contest::{Contest, Quantity};
 
 /// Pixel columns of a panel.
 const COLUMNS: usize = 420;
-/// The second column shows so many times the longest convergence.
-const CONVERGENCES_IN_ZOOM: f64 = 4.0;
-/// And at least so many rows.
-const ROWS_IN_ZOOM: usize = 100;
+/// The second column shows this share of the recording,
+const SHARE_IN_ZOOM: f64 = 0.05;
+/// but at least so many rows, and so many times the longest convergence.
+const ROWS_IN_ZOOM: usize = 50;
+const CONVERGENCES_IN_ZOOM: f64 = 2.0;
 
 /// The finished figure.
 pub fn figure(contest: &Contest) -> Figure {
-    let start = contest.times.first().copied().unwrap_or(0.0);
-    let zoom = zoom(contest) - start;
+    let zoom = zoom(contest);
     let mut legend = vec![Entry { name: "reference".into(), role: Role::Reference }];
     let rivals = contest.rivals.iter().enumerate();
     legend.extend(rivals.map(|(k, rival)| Entry { name: rival.name.clone(), role: Role::Rival(k) }));
@@ -29,18 +29,37 @@ pub fn figure(contest: &Contest) -> Figure {
         legend,
         columns: vec![
             Column { title: "the whole recording".into(), x_range: None },
-            Column { title: format!("the first {} s", short(zoom)), x_range: Some((start, start + zoom)) },
+            Column { title: "where the reference moves most".into(), x_range: Some(zoom) },
         ],
-        panels: contest.quantities.iter().flat_map(|quantity| panels(contest, quantity, start + zoom)).collect(),
+        panels: contest.quantities.iter().flat_map(|quantity| panels(contest, quantity, zoom)).collect(),
     }
 }
 
-/// Where the second column ends, s.
-fn zoom(contest: &Contest) -> f64 {
-    let start = contest.times.first().copied().unwrap_or(0.0);
+/// What the second column shows, s: where the first reference goes through the widest range.
+fn zoom(contest: &Contest) -> (f64, f64) {
+    let times = &contest.times;
+    let Some((first, last)) = times.first().copied().zip(times.last().copied()) else { return (0.0, 1.0) };
     let longest = contest.rivals.iter().filter_map(|rival| rival.converged_after).fold(0.0, f64::max);
-    let rows = contest.times.get(ROWS_IN_ZOOM).or(contest.times.last()).copied().unwrap_or(start);
-    rows.max(start + CONVERGENCES_IN_ZOOM * longest)
+    let rows = times.get(ROWS_IN_ZOOM).map_or(last - first, |time| time - first);
+    let length = (SHARE_IN_ZOOM * (last - first)).max(rows).max(CONVERGENCES_IN_ZOOM * longest).min(last - first);
+    let Some(quantity) = contest.quantities.first() else { return (first, first + length) };
+    let mut best = (f64::NEG_INFINITY, first);
+    let mut from = 0;
+    while let Some(start) = times.get(from).copied().filter(|start| start + length <= last) {
+        let until = start + length;
+        let within = quantity.compared.partition_point(|row| *row < from);
+        let rows = quantity.compared[within..].iter().take_while(|row| times[**row] <= until);
+        let (low, high) = rows.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), row| {
+            let value = quantity.known[*row];
+            (low.min(value), high.max(value))
+        });
+        if high - low > best.0 {
+            best = (high - low, start);
+        }
+        // Half a length further, so that the search takes a time in proportion to the recording.
+        from = times.partition_point(|time| *time <= start + length / 2.0).max(from + 1);
+    }
+    (best.1, best.1 + length)
 }
 
 /// The errors in words.
@@ -56,7 +75,7 @@ fn sentence(contest: &Contest) -> String {
 }
 
 /// The quantity, and below it the errors; the largest errors are drawn first, so that they hide nothing.
-fn panels(contest: &Contest, quantity: &Quantity, zoom_end: f64) -> [Panel; 2] {
+fn panels(contest: &Contest, quantity: &Quantity, zoom: (f64, f64)) -> [Panel; 2] {
     let answer = &quantity.answer;
     let unit = if answer.unit.is_empty() { String::new() } else { format!(" [{}]", answer.unit) };
     let mut order: Vec<usize> = (0..contest.rivals.len()).collect();
@@ -64,44 +83,36 @@ fn panels(contest: &Contest, quantity: &Quantity, zoom_end: f64) -> [Panel; 2] {
         let rms = |k: &usize| quantity.scores[*k].rms.unwrap_or(f64::INFINITY);
         rms(b).total_cmp(&rms(a))
     });
-    let mut from = 0;
-    let reference: Vec<f64> =
-        contest.times.iter().map(|time| quantity.reference.at(*time, &answer.turns, &mut from)).collect();
-    let thinned = |end: f64, value: &dyn Fn(usize) -> f64| {
+    let reference = &quantity.known;
+    let curve = |role: Role, (start, end): (f64, f64), value: &dyn Fn(usize) -> f64| {
         let mut thin = Thin::new(COLUMNS);
-        for (row, time) in contest.times.iter().enumerate().take_while(|(_, time)| **time <= end) {
-            thin.push(*time, value(row));
-        }
-        thin.points()
+        let shown = contest.times.iter().enumerate().filter(|(_, time)| (start..=end).contains(*time));
+        shown.for_each(|(row, time)| thin.push(*time, value(row)));
+        Curve { label: String::new(), role, points: thin.points() }
     };
-    let curve = |role: Role, end: f64, value: &dyn Fn(usize) -> f64| Curve {
-        label: String::new(),
-        role,
-        points: thinned(end, value),
-    };
-    let cell = |end: f64| {
-        let mut curves = vec![curve(Role::Reference, end, &|row| reference[row])];
+    let cell = |span: (f64, f64)| {
+        let mut curves = vec![curve(Role::Reference, span, &|row| reference[row])];
         let estimates = order.iter().map(|k| (k, &quantity.estimates[*k]));
-        curves.extend(estimates.map(|(k, estimate)| curve(Role::Rival(*k), end, &|row| estimate[row])));
+        curves.extend(estimates.map(|(k, estimate)| curve(Role::Rival(*k), span, &|row| estimate[row])));
         Cell { curves, ..Cell::default() }
     };
-    let errors = |end: f64| {
+    let errors = |span: (f64, f64)| {
         let estimates = order.iter().map(|k| (k, &quantity.estimates[*k]));
         let error = |estimate: &[f64], row: usize| answer.error(estimate[row], reference[row]);
-        let curves = estimates.map(|(k, estimate)| curve(Role::RivalError(*k), end, &|row| error(estimate, row)));
+        let curves = estimates.map(|(k, estimate)| curve(Role::RivalError(*k), span, &|row| error(estimate, row)));
         Cell { curves: curves.collect(), ..Cell::default() }
     };
-    let whole = f64::INFINITY;
+    let whole = (f64::NEG_INFINITY, f64::INFINITY);
     [
         Panel {
             y_label: format!("{}{unit}", answer.name),
             title: answer.doc.clone(),
-            cells: vec![cell(whole), cell(zoom_end)],
+            cells: vec![cell(whole), cell(zoom)],
         },
         Panel {
             y_label: format!("error of {}{unit}", answer.name),
             title: format!("against {}", quantity.column),
-            cells: vec![errors(whole), errors(zoom_end)],
+            cells: vec![errors(whole), errors(zoom)],
         },
     ]
 }

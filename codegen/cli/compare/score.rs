@@ -107,7 +107,7 @@ mod tests {
 
     fn answer() -> Answer {
         let (name, unit, doc) = (String::new(), String::new(), String::new());
-        Answer { name, unit, doc, integer: false, state: None, turns: Vec::new() }
+        Answer { name, unit, doc, integer: false, state: None, window: None, turns: Vec::new() }
     }
 
     /// The score of `estimate` against `reference`, both functions of the time, over 1000 rows of 0.01 s.

@@ -14,6 +14,7 @@ impl Lowering<'_> {
         let left = counts_down(design).then(|| self.count_down(before, measured));
         let corrections = match (&design.gain, left) {
             (Gain::Constant(gain), _) => self.products(gain, innovation),
+            (Gain::Periodic(rows), _) => self.by_phase(rows, innovation),
             (Gain::Table(rows), Some(left)) => self.by_table(rows, left, innovation),
             (Gain::Countdown(law), Some(left)) => {
                 let kappa = self.by_countdown(law, left, innovation[0]);
@@ -60,6 +61,31 @@ impl Lowering<'_> {
         let row = self.builder.at_most(left, calls(rows.len() - 1));
         let outputs = innovation.len();
         let each = (0..self.plant.states.len()).map(|i| {
+            let terms = innovation.iter().enumerate().map(|(o, e)| {
+                let gain = self.builder.lookup(table, row, crate::window::lower::place(i * outputs + o));
+                self.builder.mul(gain, *e)
+            });
+            let terms: Vec<Value> = terms.collect();
+            self.builder.sum(&terms)
+        });
+        each.collect()
+    }
+
+    /// K e with a row of gains for each call of the cycle.
+    fn by_phase(&mut self, rows: &[Vec<Vec<Settled>>], innovation: &[Value]) -> Vec<Value> {
+        let scalar = self.plant.scalar;
+        let (states, outputs) = (self.plant.states.len(), innovation.len());
+        let names = self.plant.states.iter().flat_map(|state| {
+            self.plant.outputs.iter().map(|output| format!("{} from {}", state.label.name, output.label.name))
+        });
+        let names = names.collect();
+        let values = rows.iter().map(|k| k.iter().flatten().map(|x| x.value(scalar)).collect()).collect();
+        let table = self.builder.table("GAINS", "gain by calls since every output was due", names, values);
+        let phase = self.builder.read(self.cells.phase);
+        let row = self.builder.at_most(phase, calls(rows.len() - 1));
+        let next = self.builder.advance(row, calls(rows.len()));
+        self.builder.set(self.cells.phase, next);
+        let each = (0..states).map(|i| {
             let terms = innovation.iter().enumerate().map(|(o, e)| {
                 let gain = self.builder.lookup(table, row, crate::window::lower::place(i * outputs + o));
                 self.builder.mul(gain, *e)

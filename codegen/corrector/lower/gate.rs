@@ -8,7 +8,6 @@ use crate::plant::Plant;
 use crate::program::builder::Builder;
 use crate::program::{CellId, Value};
 use crate::window::lower::injections::round;
-use crate::window::lower::sample::all;
 
 use super::super::Corrector;
 use super::{Lowering, Predicted, calls};
@@ -36,14 +35,9 @@ impl Lowering<'_> {
         self.cells.rejected.iter().any(Option::is_some)
     }
 
-    /// Per output, whether its sample is good and is not rejected; whether all are; and whether one would have been rejected
-    /// once too often, so that it is not. `shown` are the predictions.
-    pub(super) fn accepted(
-        &mut self,
-        samples: &[Value],
-        good: &[Value],
-        shown: &[Value],
-    ) -> (Vec<Value>, Value, Value) {
+    /// Per output, whether its sample is good and is not rejected; and whether one would have been rejected once too often, so
+    /// that it is not. `shown` are the predictions.
+    pub(super) fn accepted(&mut self, samples: &[Value], good: &[Value], shown: &[Value]) -> (Vec<Value>, Value) {
         let mut jumped = self.builder.boolean(false);
         let enough = self.builder.index(calls(self.design.valid));
         let count = self.builder.read(self.cells.good);
@@ -76,8 +70,7 @@ impl Lowering<'_> {
             let count = b.select(rejected, more, waiting);
             b.set(cell, count);
         }
-        let measured = all(&mut self.builder, &accepted);
-        (accepted, measured, jumped)
+        (accepted, jumped)
     }
 
     /// Counts the calls since the newest accepted sample of any output.

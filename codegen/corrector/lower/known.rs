@@ -21,7 +21,10 @@ impl Lowering<'_> {
         let (b, ranges) = (&mut self.builder, &self.guard.outputs);
         let (samples, good): (Vec<Value>, Vec<Value>) =
             (0..count).map(|o| front::without_inputs(b, plant, o, read[o], &inputs, ranges[o])).unzip();
-        let measured = all(&mut self.builder, &good);
+        let due = self.due();
+        let good: Vec<Value> =
+            good.into_iter().zip(&due).map(|(good, due)| due.map_or(good, |due| self.builder.and(good, due))).collect();
+        let measured = self.measured(&good, &due);
         self.builder.section("prediction by the plant");
         let injections = Injections::new(self.plant, self.cells.calls, inputs);
         let known: Vec<Option<Value>> =
@@ -29,9 +32,14 @@ impl Lowering<'_> {
         let base = self.carried(&known);
         let guess = (!self.is_plain(&known)).then(|| self.guess(&base, &known));
         let (good, measured, jumped) = match (self.gated(), &guess) {
-            (true, Some(guess)) => self.accepted(&samples, &good, guess),
+            (true, Some(guess)) => {
+                let (good, jumped) = self.accepted(&samples, &good, guess);
+                let measured = self.measured(&good, &due);
+                (good, measured, jumped)
+            }
             _ => (good, measured, self.builder.boolean(false)),
         };
+        let complete = all(&mut self.builder, &good);
         let outputs = self.stand_ins(&samples, &good, guess.as_deref());
         let state = self.complete(base, &known, &outputs, &injections, &mut fine);
         for (cell, value) in self.cells.outputs.clone().into_iter().zip(&outputs) {
@@ -39,7 +47,7 @@ impl Lowering<'_> {
         }
         fine.push(measured);
         let fine = all(&mut self.builder, &fine);
-        Predicted { outputs, good, measured, fine, jumped, state, inputs: injections.inputs }
+        Predicted { outputs, good, measured, complete, fine, jumped, state, inputs: injections.inputs }
     }
 
     /// The inputs, with the last good value in place of a bad one; and which were good.
