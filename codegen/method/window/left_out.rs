@@ -135,10 +135,6 @@ impl Keys {
             let message = "samples that come at a rate of their own cannot be predicted in between";
             refuse(&self.missing.1, message, "leave out `missing`, or `every` and `age`");
         }
-        if let Some(second) = self.windows.get(1) {
-            let message = "samples that are left out are so of one window";
-            refuse(&second.span(), message, "one window, or `missing = \"predicted\"`");
-        }
         if self.weighting == Weighting::Minimax {
             let message = "minimax weights are of all samples of a window";
             refuse(&self.weights_span, message, "leave out `weights`, or write `missing = \"predicted\"`");
