@@ -37,12 +37,14 @@ pub(super) fn cannot(feature: Feature, plant: &Plant) -> Option<Cannot> {
         Feature::Gate if late() => {
             ("the sample is late, and no prediction of it is kept", "leave out `gate` or `delay`")
         }
-        Feature::Wrap | Feature::Gate | Feature::Every | Feature::Coasted | Feature::Ahead => return None,
+        Feature::Wrap | Feature::Gate | Feature::Every | Feature::Coasted | Feature::Ahead | Feature::InitAt => {
+            return None;
+        }
         Feature::Counter => (
             "rows of samples that are there are solved in floats",
             "hand over floats with `quantum` and `wrap`, or leave out `missing`",
         ),
-        Feature::Age | Feature::InitAt => ("it is not built yet", "leave the key out"),
+        Feature::Age => ("it is not built yet", "leave the key out"),
     };
     Some(Cannot { why, instead })
 }
