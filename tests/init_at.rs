@@ -38,7 +38,8 @@ init_at = true
 ";
 
 /// Every method, in every shape and way that a step can have.
-const OBSERVERS: [&str; 21] = [
+const OBSERVERS: [&str; 22] = [
+    "[observer.window]\nwindow = 0.4\nmissing = 'left-out'",
     "[observer.window]\nwindow = 0.4\nrealization = 'fir'",
     "[observer.window]\nwindow = 0.4\nrealization = 'two-level'",
     "[observer.window]\nwindow = 0.4\nrealization = 'ping-pong'",
@@ -46,7 +47,7 @@ const OBSERVERS: [&str; 21] = [
     "[observer.window]\nwindow = [0.2, 0.4]",
     "[observer.window]\nwindow = 0.4\nweights = 'minimax'",
     "[observer.single-delay]\nwindow = 0.4",
-    "[observer.single-delay]\nwindow = 0.4\nrealization = 'recursive'",
+    "[observer.single-delay]\nwindow = 0.4\nk = 25\nrealization = 'recursive'",
     "[observer.single-delay]\nwindow = 0.4\nintermittent = { min = 0.02, max = 0.06 }",
     "[observer.impulsive]\nwindow = 0.4",
     "[observer.impulsive]\nwindow = 0.4\nhold = 'third'",
@@ -253,16 +254,16 @@ fn an_estimate_goes_on_where_it_was() {
         .replace("[target]", "[observer.luenberger]\npoles = [-9, -12]\n[target]")
         .replace("f = { hold = 'first' }", "f = {}");
     let generated = designed(&text);
-    let (_, samples) = oscillator(120);
+    let (_, samples) = oscillator(200);
     let (mut first, mut second) = (Interpreter::new(&generated.program), Interpreter::new(&generated.program));
     let (mut estimate, mut other) = (vec![0.0; 2], vec![0.0; 2]);
     let mut status = Status::Converging;
     for (call, sample) in samples.iter().enumerate() {
-        if call == 50 {
+        if call == 100 {
             second.start_at(&estimate, status);
         }
         status = first.step(&sample.state[..1], &sample.inputs, &mut estimate);
-        if call >= 50 {
+        if call >= 100 {
             assert_eq!(second.step(&sample.state[..1], &sample.inputs, &mut other), status);
             assert_eq!(
                 estimate.iter().map(|x| x.to_bits()).collect::<Vec<_>>(),

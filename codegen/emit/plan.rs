@@ -20,8 +20,6 @@ pub struct Plan<'a> {
     pub names: Names,
     /// Every function stands behind those that it calls; the step itself is the last.
     pub functions: Vec<Function<'a>>,
-    /// The place of the start from an estimate, if there is one; its parts stand before it.
-    start: Option<usize>,
     /// The values that cross from one function to another, in order.
     pub crossing: Vec<Value>,
     /// The truth values among them. They travel in one array: clippy takes more than three fields
@@ -64,6 +62,8 @@ pub struct Function<'a> {
     /// The table whose row it is called with.
     pub row: Option<TableId>,
     pub reach: Reach,
+    /// Whether it is the start from an estimate, or a part of that.
+    pub starts: bool,
 }
 
 impl<'a> Plan<'a> {
@@ -73,7 +73,6 @@ impl<'a> Plan<'a> {
             program,
             names: Names::new(program),
             functions: split::functions(program),
-            start: split::start(program).len().checked_sub(1),
             crossing: vec![],
             flags: vec![],
             definitions: BTreeMap::new(),
@@ -121,15 +120,14 @@ impl<'a> Plan<'a> {
 
     /// The start from an estimate itself.
     pub fn start(&self) -> Option<&Function<'a>> {
-        self.start.map(|at| &self.functions[at])
+        self.functions.iter().rfind(|function| function.starts)
     }
 
     /// The functions that the start and the step are split into, with their places and of which they are a part.
     pub fn parts(&self) -> impl Iterator<Item = (usize, &'static str, &Function<'a>)> {
-        let step = self.functions.len() - 1;
-        let of = |at: usize| if self.start.is_some_and(|start| at < start) { "a start" } else { "a step" };
-        let all = self.functions.iter().enumerate();
-        all.filter(move |(at, _)| *at != step && Some(*at) != self.start).map(move |(at, part)| (at, of(at), part))
+        let whole = 1 + usize::from(self.program.init_at.is_some());
+        let parts = self.functions[..self.functions.len() - whole].iter().enumerate();
+        parts.map(|(at, part)| (at, if part.starts { "a start" } else { "a step" }, part))
     }
 
     /// The table of the row that a function is called with, if it reads the row.

@@ -80,6 +80,8 @@ struct Sampled {
     knowns: Vec<Value>,
     /// Per input: what was used.
     inputs: Vec<Value>,
+    /// Calls since the newest accepted sample, where the estimate says so.
+    coasted: Option<Value>,
 }
 
 /// What a call makes of the copies, and whether that can be used.
@@ -212,6 +214,10 @@ impl Lowering<'_> {
         }
         for (state, value) in self.plant.states.iter().zip(answer) {
             self.builder.estimate(field(&state.label.name, &state.label.unit, &state.label.doc), value);
+        }
+        if let Some(coasted) = sampled.coasted {
+            let doc = "calls since the newest accepted sample";
+            self.builder.estimate(field("coasted", "", doc), coasted);
         }
         let [converged, coasting, converging] =
             [Status::Converged, Status::Coasting, Status::Converging].map(|status| self.builder.status(status));

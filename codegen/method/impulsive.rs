@@ -123,7 +123,10 @@ const DIGITS_LEFT: f64 = 1e2;
 
 impl Keyed for Keys {
     fn cannot(&self, feature: Feature, _plant: &Plant) -> Option<Cannot> {
-        if feature == Feature::InitAt { None } else { super::not_yet(feature) }
+        match feature {
+            Feature::InitAt | Feature::Coasted => None,
+            _ => super::not_yet(feature),
+        }
     }
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {

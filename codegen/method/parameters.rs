@@ -130,7 +130,7 @@ impl Keyed for Keys {
         };
         match feature {
             Feature::InitAt if self.paper.is_some() && !varying(plant).is_empty() => Some(stages),
-            Feature::InitAt => None,
+            Feature::InitAt | Feature::Coasted => None,
             _ => super::not_yet(feature),
         }
     }

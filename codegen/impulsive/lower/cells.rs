@@ -36,6 +36,8 @@ pub(super) struct Cells {
     pub(super) calls: CellId,
     /// 1 from a given state until convergence, 2 if it was vouched for; where there is such a start.
     pub(super) given: Option<CellId>,
+    /// Calls since the newest accepted sample, where the estimate says so.
+    pub(super) coasted: Option<CellId>,
 }
 
 /// Values of each signal that are kept; as many as a third-order polynomial needs.
@@ -111,5 +113,6 @@ pub(super) fn declare(builder: &mut Builder, plant: &Plant, design: &Impulsive) 
     let calls = builder.index_cell("calls", "calls since init", 0);
     let doc = "1 from a given state until convergence, 2 if that was vouched for";
     let given = plant.init_at.then(|| builder.index_cell("given", doc, 0));
-    Cells { first, second, outputs, knowns, inputs, phase, count, clean, coasting, missed, turn, calls, given }
+    let coasted = plant.coasted.then(|| builder.index_cell("since", "calls since a sample was accepted", 0));
+    Cells { first, second, outputs, knowns, inputs, phase, count, clean, coasting, missed, turn, calls, given, coasted }
 }

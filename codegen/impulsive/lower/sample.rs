@@ -74,7 +74,20 @@ impl<'a> Lowering<'a> {
             outputs,
             knowns: values,
             inputs: signals.injections.inputs,
+            coasted: self.count_coasted(&good),
         }
+    }
+
+    /// Counts the calls since the newest accepted sample, where the estimate says so.
+    fn count_coasted(&mut self, good: &[Value]) -> Option<Value> {
+        let cell = self.cells.coasted?;
+        let b = &mut self.builder;
+        let any = any(b, good);
+        let (none, before) = (b.index(0), b.read(cell));
+        let more = b.count_up(before, u32::MAX);
+        let coasted = b.select(any, none, more);
+        b.set(cell, coasted);
+        Some(coasted)
     }
 
     /// Whether this call is one that is measured.

@@ -37,8 +37,13 @@ pub(super) fn cannot(feature: Feature, plant: &Plant) -> Option<Cannot> {
         Feature::Gate if late() => {
             ("the sample is late, and no prediction of it is kept", "leave out `gate` or `delay`")
         }
-        Feature::InitAt => ("it is not built yet", "leave the key out"),
-        Feature::Wrap | Feature::Gate | Feature::Every | Feature::Age | Feature::Coasted | Feature::Ahead => {
+        Feature::Wrap
+        | Feature::Gate
+        | Feature::Every
+        | Feature::Age
+        | Feature::Coasted
+        | Feature::Ahead
+        | Feature::InitAt => {
             return None;
         }
         Feature::Counter => (

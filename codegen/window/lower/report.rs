@@ -106,6 +106,7 @@ impl Lowering<'_> {
             self.builder.index_less(coasting, left)
         };
         if let Some(renewed) = standing.renewed {
+            let renewed = self.or_vouched(renewed);
             clean = self.builder.and(renewed, clean);
         }
         let statuses = [Status::Converged, Status::Coasting, Status::Converging].map(|s| self.builder.status(s));
