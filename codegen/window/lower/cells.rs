@@ -141,7 +141,7 @@ pub(super) fn declare(builder: &mut Builder, plant: &Plant, functional: &Functio
     let rejected = plant.outputs.iter().map(|output| {
         let name = &output.label.name;
         let doc = format!("samples of {name} rejected in a row");
-        output.gate.as_ref().filter(|_| predicts).map(|_| builder.index_cell(&format!("rejected_{name}"), &doc, 0))
+        output.gate.as_ref().map(|_| builder.index_cell(&format!("rejected_{name}"), &doc, 0))
     });
     let rejected = rejected.collect();
     let irregular = if functional.gaps.is_some() { plant.outputs.as_slice() } else { &[] };
