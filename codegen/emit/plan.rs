@@ -20,6 +20,8 @@ pub struct Plan<'a> {
     pub names: Names,
     /// Every function stands behind those that it calls; the step itself is the last.
     pub functions: Vec<Function<'a>>,
+    /// The place of the start from an estimate, if there is one; its parts stand before it.
+    start: Option<usize>,
     /// The values that cross from one function to another, in order.
     pub crossing: Vec<Value>,
     /// The truth values among them. They travel in one array: clippy takes more than three fields
@@ -71,12 +73,15 @@ impl<'a> Plan<'a> {
             program,
             names: Names::new(program),
             functions: split::functions(program),
+            start: split::start(program).len().checked_sub(1),
             crossing: vec![],
             flags: vec![],
             definitions: BTreeMap::new(),
         };
-        plan.define(&program.body);
-        plan.name_operands(&program.body);
+        for body in [program.init_at.as_deref().unwrap_or_default(), &program.body] {
+            plan.define(body);
+            plan.name_operands(body);
+        }
         plan.crossing = plan.crossing_values();
         plan.flags = plan.crossing.iter().copied().filter(|v| plan.r#type(*v) == Type::Bool).collect();
         for at in 0..plan.functions.len() {
@@ -106,12 +111,25 @@ impl<'a> Plan<'a> {
         }
     }
 
-    /// The step itself, and the functions that it is split into.
-    pub fn step(&self) -> (&Function<'a>, &[Function<'a>]) {
-        match self.functions.split_last() {
-            Some(both) => both,
+    /// The step itself.
+    pub fn step(&self) -> &Function<'a> {
+        match self.functions.last() {
+            Some(step) => step,
             None => unreachable!("split::functions ends with the step"),
         }
+    }
+
+    /// The start from an estimate itself.
+    pub fn start(&self) -> Option<&Function<'a>> {
+        self.start.map(|at| &self.functions[at])
+    }
+
+    /// The functions that the start and the step are split into, with their places and of which they are a part.
+    pub fn parts(&self) -> impl Iterator<Item = (usize, &'static str, &Function<'a>)> {
+        let step = self.functions.len() - 1;
+        let of = |at: usize| if self.start.is_some_and(|start| at < start) { "a start" } else { "a step" };
+        let all = self.functions.iter().enumerate();
+        all.filter(move |(at, _)| *at != step && Some(*at) != self.start).map(move |(at, part)| (at, of(at), part))
     }
 
     /// The table of the row that a function is called with, if it reads the row.

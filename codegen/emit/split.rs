@@ -59,12 +59,23 @@ pub fn visit<'i, 'a>(items: &'i [Item<'a>], visitor: &mut impl FnMut(&'i Item<'a
     }
 }
 
-/// The functions of a Program, the step itself last.
+/// The functions of a Program: those of its start, if it has one, that itself behind its parts; then those of the step,
+/// the step itself last.
 pub fn functions(program: &Program) -> Vec<Function<'_>> {
-    let mut functions = vec![];
+    let mut functions = start(program);
     let result = program.estimates.len() + 3;
     let items = fit(&program.body, ROOM.saturating_sub(result), None, &mut functions);
     functions.push(Function { items, row: None, reach: Reach::default() });
+    functions
+}
+
+/// The functions of a Program's start.
+pub fn start(program: &Program) -> Vec<Function<'_>> {
+    let mut functions = vec![];
+    if let Some(start) = &program.init_at {
+        let items = fit(start, ROOM, None, &mut functions);
+        functions.push(Function { items, row: None, reach: Reach::default() });
+    }
     functions
 }
 

@@ -30,6 +30,7 @@ impl<'a> Lowering<'a> {
         self.builder.section("samples: outside its range, infinite or NaN means missing");
         let due = self.due();
         let converged = self.was_converged();
+        let converged = self.or_given(converged);
         let count = self.plant.outputs.len();
         let read: Vec<(Value, Value)> = (0..count).map(|o| self.read_output(o, due)).collect();
         let last: Vec<Value> = self.cells.outputs.iter().map(|kept| self.builder.read(kept[0])).collect();
@@ -231,8 +232,8 @@ impl<'a> Lowering<'a> {
         let before: Vec<Value> =
             self.cells.outputs.clone().into_iter().map(|kept| self.builder.read(kept[0])).collect();
         let mut knowns = Vec::new();
-        for (kept, guess) in self.cells.knowns.clone().iter().zip(guesses) {
-            knowns.push(self.by_age(*guess, kept));
+        for (s, (kept, guess)) in self.cells.knowns.clone().iter().zip(guesses).enumerate() {
+            knowns.push(self.known_by_age(s, *guess, kept));
         }
         // The predictor uses the outputs of the call before alone; those of now are what it predicts.
         let outputs = [before.clone(), before];
