@@ -63,16 +63,6 @@ pub struct Irregular {
 }
 
 impl Irregular {
-    /// Multiplications and additions of a step's pass over the window.
-    pub fn operations(&self) -> usize {
-        let of = |rows: &Sparse| rows.iter().flatten().flatten().count();
-        let (n, p) = (self.phi.len(), self.c.len());
-        let response = of(&self.phi) + of(&self.begin) + of(&self.end) + of(&self.c);
-        let equations = n * (n + 1) / 2 + n;
-        let aged = self.ages.iter().flatten().map(|ages| ages.operations() + 2 * n * (n + 1)).sum::<usize>();
-        self.rows.len() * (2 * response + p * (2 + n + 2 * equations) + aged)
-    }
-
     /// The largest entry of a row, for rows of samples with an age at any of them: those of Q are at most 1.
     fn largest_entry(&self) -> f64 {
         let of = |(ages, trust): (&Ages, &Settled)| {
@@ -199,6 +189,14 @@ pub fn unit(scalar: Scalar) -> f64 {
         Scalar::F32 => f64::from(f32::EPSILON) / 2.0,
         Scalar::F64 => f64::EPSILON / 2.0,
     }
+}
+
+/// Multiplications and additions that a row of the window takes, for n states, p outputs and so many signals; what is
+/// structurally zero is less.
+pub fn operations(n: usize, p: usize, signals: usize) -> usize {
+    let response = n * n + 2 * n * signals + n * p;
+    let equations = n * (n + 1) / 2 + n;
+    2 * response + p * (2 + n + 2 * equations)
 }
 
 /// The smallest pivot that is more than rounding.

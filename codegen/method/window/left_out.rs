@@ -80,11 +80,11 @@ impl Keys {
         condition: f64,
     ) -> Result<Design, Vec<Diagnostic>> {
         self.refuse_what_a_solve_cannot()?;
+        refuse_work(plant, signals.len(), steps, &self.windows[0].span())?;
         let delays = pattern.delays().to_vec();
         let (mut functional, exact, mut numerics) = settle(plant, signals, &delays, steps, &Choice::LeastSquares)?;
         numerics.condition = condition;
         let mut irregular = irregular::design(plant, signals, steps, pattern)?;
-        refuse_work(&irregular, &self.windows[0].span())?;
         let certified = certify(plant, &functional, &irregular, &exact);
         let certified = certified.filter(|_| irregular.pivot >= 16.0 * irregular::limit(plant));
         let Some((mut certificate, phases)) = certified else {
@@ -156,16 +156,18 @@ impl Keys {
 }
 
 /// Refuses a step that does more than a small processor can.
-fn refuse_work(irregular: &Irregular, window: &Range<usize>) -> Result<(), Vec<Diagnostic>> {
-    let (operations, rows) = (irregular.operations(), irregular.rows.len());
+fn refuse_work(plant: &Plant, signals: usize, steps: usize, window: &Range<usize>) -> Result<(), Vec<Diagnostic>> {
+    let (n, rows) = (plant.states.len(), steps + 1);
+    let row = irregular::operations(n, plant.outputs.len(), signals);
+    let operations = rows * row;
     if operations <= MOST_OPERATIONS {
         return Ok(());
     }
     let message = "leaving samples out takes too many operations a call";
-    let most = MOST_OPERATIONS * rows / operations;
     let error = Diagnostic::error(codes::WINDOW_TOO_LONG, window.clone(), message)
-        .label(format!("{operations} for {rows} samples; at most {MOST_OPERATIONS} are generated"))
+        .label(format!("up to {operations} for {rows} samples; at most {MOST_OPERATIONS} are generated"))
         .measured(count(operations));
+    let most = MOST_OPERATIONS / row;
     let help = format!("a window of at most {most} samples, a longer sample time, or `missing = \"predicted\"`");
     Err(vec![error.help(help)])
 }

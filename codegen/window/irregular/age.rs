@@ -166,9 +166,4 @@ impl Ages {
         let signals = self.now.iter().chain(&self.before);
         signals.map(|series| Self::size(series)).sum::<f64>() + Self::size(&self.constant)
     }
-
-    /// Multiplications and additions of evaluating `C e^{-A a}`.
-    pub fn operations(&self) -> usize {
-        2 * self.row.iter().map(|series| series.iter().flatten().count()).sum::<usize>()
-    }
 }
