@@ -41,22 +41,23 @@ pub mod sliding;
 pub mod theorem1;
 
 use crate::design::Settled;
-use crate::method::{Cannot, Feature};
+use crate::method::{Cannot, Feature, cannot_count};
+use crate::plant::Plant;
 use crate::window::Signal;
 
 /// Settled entries, row-major; `None` marks a structural zero.
 pub type Grid = Vec<Vec<Option<Settled>>>;
 
 /// Why no corrector can do something that a specification asks for.
-pub fn cannot(feature: Feature) -> Option<Cannot> {
+pub fn cannot(feature: Feature, plant: &Plant) -> Option<Cannot> {
     let (why, instead) = match feature {
-        Feature::Wrap | Feature::Gate | Feature::Ahead | Feature::Coasted => return None,
+        Feature::Wrap | Feature::Gate | Feature::Ahead | Feature::Coasted | Feature::InitAt => return None,
         Feature::Every => (
             "one gain for samples at several rates is not proven stable",
             "use `kalman` or `window`, which take several rates",
         ),
         Feature::Age => ("its gains are of samples taken at the calls", "use `window`, which takes samples of any age"),
-        Feature::Counter | Feature::InitAt => ("it is not built yet", "leave the key out"),
+        Feature::Counter => return cannot_count(plant),
     };
     Some(Cannot { why, instead })
 }
@@ -109,6 +110,8 @@ pub enum Frame {
         readout: Grid,
         /// xi at the start but for the sample, n x 1.
         start: Vec<Option<Settled>>,
+        /// xi from x, n x n, where the observer can start from a given state.
+        entry: Option<Grid>,
     },
 }
 

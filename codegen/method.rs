@@ -33,7 +33,7 @@ use crate::design::{Design, NamedMatrix};
 use crate::diagnostic::Diagnostic;
 use crate::plant::Plant;
 use crate::spec::reader::Table;
-pub use features::{Cannot, Feature};
+pub use features::{Cannot, Feature, cannot_count};
 
 /// All methods, in the order in which `deadbeat list` shows them.
 pub const METHODS: &[Method] = &[

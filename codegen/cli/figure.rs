@@ -3,7 +3,6 @@
 use deadbeat_codegen::Generated;
 use deadbeat_codegen::describe::short;
 use deadbeat_codegen::plant::Plant;
-use deadbeat_codegen::program::Status;
 use deadbeat_codegen::real::Rational;
 use deadbeat_codegen::window::seconds;
 
@@ -57,15 +56,16 @@ struct Measured {
 }
 
 /// All curves of a replay, thinned as they come.
-pub struct Curves {
+pub struct Curves<'a> {
+    interface: &'a Interface,
     quantities: Vec<Quantity>,
     start: Option<f64>,
     zoom_s: f64,
 }
 
-impl Curves {
+impl<'a> Curves<'a> {
     /// Prepares the curves; `compared` says which fields have a reference.
-    pub fn new(generated: &Generated, interface: &Interface, compared: &[bool]) -> Self {
+    pub fn new(generated: &Generated, interface: &'a Interface, compared: &[bool]) -> Self {
         let plant = &generated.plant;
         let quantities = interface.quantities().map(|(field, answer)| Quantity {
             field,
@@ -79,7 +79,7 @@ impl Curves {
             reference: compared[field].then(|| (Line::new(), Line::new())),
         });
         let zoom_s = seconds(WINDOWS_IN_ZOOM * generated.design.window_steps.max(1), plant.sample_time_s());
-        Self { quantities: quantities.collect(), start: None, zoom_s }
+        Self { interface, quantities: quantities.collect(), start: None, zoom_s }
     }
 
     /// Takes one row and what the step made of it.
@@ -87,9 +87,9 @@ impl Curves {
         let start = *self.start.get_or_insert(sample.t);
         let zoom = sample.t - start <= self.zoom_s;
         let t = sample.t;
-        let converged = sample.status != Status::Converging;
         for quantity in &mut self.quantities {
             let estimate = sample.estimate[quantity.field];
+            let converged = self.interface.has_converged(quantity.field, &sample.estimate, sample.status);
             let turns = &quantity.answer.turns;
             quantity.estimate.whole.push(t, if converged { estimate } else { f64::NAN });
             if zoom {

@@ -3,7 +3,7 @@
 use deadbeat_codegen::Generated;
 use deadbeat_codegen::expr::Constant;
 use deadbeat_codegen::plant::Plant;
-use deadbeat_codegen::program::{Field, Kind};
+use deadbeat_codegen::program::{Field, Kind, Status};
 
 /// The fields of one step function.
 #[derive(Clone, Debug)]
@@ -12,6 +12,8 @@ pub struct Interface {
     pub measurements: Vec<Measured>,
     /// In the order of the Program.
     pub answers: Vec<Answer>,
+    /// The place of the field that says how many windows have converged, where there are several.
+    windows: Option<usize>,
 }
 
 /// A field of the measurements.
@@ -62,6 +64,8 @@ pub struct Answer {
     pub integer: bool,
     /// The state whose estimate it is.
     pub state: Option<usize>,
+    /// The number of the window that it comes from, where there are several; the shortest is 1.
+    pub window: Option<u32>,
     /// Whole multiples of these are no difference: an angle's turns.
     pub turns: Vec<f64>,
 }
@@ -75,17 +79,28 @@ impl Interface {
             .iter()
             .map(|field| Measured { name: field.name.clone(), kind: measured(plant, field) });
         let answers = program.estimates.iter().map(|(field, _)| {
-            let state = state(plant, &field.name);
+            let (state, window) = state(plant, &field.name).map_or((None, None), |(s, w)| (Some(s), Some(w)));
             Answer {
                 name: field.name.clone(),
                 unit: field.unit.clone(),
                 doc: field.doc.clone(),
                 integer: field.kind == Kind::Index,
                 state,
+                window,
                 turns: state.map_or_else(Vec::new, |state| turns(plant, state)),
             }
         });
-        Self { measurements: measurements.collect(), answers: answers.collect() }
+        let windows =
+            program.estimates.iter().position(|(field, _)| field.kind == Kind::Index && field.name == "windows");
+        Self { measurements: measurements.collect(), answers: answers.collect(), windows }
+    }
+
+    /// Whether a field of an estimate has converged. The status is the shortest window's; a longer one has converged
+    /// when it is among those that the estimate counts.
+    pub fn has_converged(&self, place: usize, estimate: &[f64], status: Status) -> bool {
+        let longer = self.answers[place].window.filter(|window| *window > 1);
+        let among = longer.zip(self.windows).is_none_or(|(window, windows)| f64::from(window) <= estimate[windows]);
+        status != Status::Converging && among
     }
 
     /// The estimates of quantities, by place; not the counts of calls and windows.
@@ -141,14 +156,14 @@ fn measured(plant: &Plant, field: &Field) -> MeasuredKind {
     }
 }
 
-/// The state that an estimate is of: its own name, or with the number of a window behind it.
-fn state(plant: &Plant, name: &str) -> Option<usize> {
+/// The state that an estimate is of, and the window: its own name, or with the number of a window behind it.
+fn state(plant: &Plant, name: &str) -> Option<(usize, u32)> {
     let state = |name: &str| plant.states.iter().position(|state| state.label.name == name);
     let of_window = || {
-        let (state, number) = name.rsplit_once('_')?;
-        number.bytes().all(|byte| byte.is_ascii_digit()).then_some(state)
+        let (name, number) = name.rsplit_once('_')?;
+        Some((state(name)?, number.parse().ok()?))
     };
-    state(name).or_else(|| of_window().and_then(state))
+    state(name).map(|state| (state, 1)).or_else(of_window)
 }
 
 /// How far a state moves with a turn of each wrapped output.

@@ -145,8 +145,10 @@ impl<'a> Replay<'a> {
             let _ = writeln!(text, "{} samples that the recording's time leaves out were {what}", self.left_out);
         }
         if negative_ages > 0 {
-            let _ =
-                writeln!(text, "{negative_ages} samples were younger than the row they stand in: treated as missing");
+            let _ = writeln!(
+                text,
+                "{negative_ages} samples are of a later time than their row and were treated as missing"
+            );
         }
         text
     }
@@ -189,10 +191,9 @@ impl<'a> Replay<'a> {
         self.converged_rows += 1;
         self.coasting_rows += u64::from(status == Status::Coasting);
         self.converged_from = self.converged_from.or(Some(self.steps + 1));
-        let fields = self.interface.answers.iter().zip(estimate).zip(&row.references);
-        for (errors, ((answer, estimate), reference)) in self.errors.iter_mut().zip(fields) {
-            if reference.is_finite() {
-                errors.add(answer.error(*estimate, *reference));
+        for (place, reference) in row.references.iter().enumerate() {
+            if reference.is_finite() && self.interface.has_converged(place, estimate, status) {
+                self.errors[place].add(self.interface.answers[place].error(estimate[place], *reference));
             }
         }
     }

@@ -61,8 +61,8 @@ impl Keyed for Keys {
         "`[observer.window]` takes a plant of your own"
     }
 
-    fn cannot(&self, feature: Feature, _plant: &Plant) -> Option<Cannot> {
-        crate::baseline::cannot(feature)
+    fn cannot(&self, feature: Feature, plant: &Plant) -> Option<Cannot> {
+        crate::baseline::cannot(feature, plant)
     }
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {

@@ -23,7 +23,7 @@ use std::sync::Arc;
 use super::window::{
     constants, delays, fir, refuse_long_delays, resolution_warnings, time_warning, verdict, window_steps,
 };
-use super::{Keyed, Method};
+use super::{Cannot, Feature, Keyed, Method};
 use crate::design::{Convergence, Design, NamedMatrix, Numerics, Shape};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::parameters::augment::{augmented, varying, without};
@@ -121,6 +121,18 @@ impl Keyed for Keys {
             return Err(vec![error.help("declare it under [unknowns], or use the method `window`")]);
         }
         with_functions(augmented(plant))
+    }
+
+    fn cannot(&self, feature: Feature, plant: &Plant) -> Option<Cannot> {
+        let stages = Cannot {
+            why: "its two stages have no model of an unknown whose factor varies",
+            instead: "`form = \"joint\"`",
+        };
+        match feature {
+            Feature::InitAt if self.paper.is_some() && !varying(plant).is_empty() => Some(stages),
+            Feature::InitAt | Feature::Coasted => None,
+            _ => super::not_yet(feature),
+        }
     }
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {

@@ -59,8 +59,8 @@ impl Keyed for Keys {
         "`[observer.luenberger]` and `[observer.kalman]` have a constant gain for a plant of your own"
     }
 
-    fn cannot(&self, feature: Feature, _plant: &Plant) -> Option<Cannot> {
-        crate::corrector::cannot(feature)
+    fn cannot(&self, feature: Feature, plant: &Plant) -> Option<Cannot> {
+        crate::corrector::cannot(feature, plant)
     }
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {

@@ -128,7 +128,9 @@ impl Keyed for Keys {
             return left_out::cannot(feature, plant);
         }
         match feature {
-            Feature::Wrap | Feature::Counter | Feature::Gate | Feature::Coasted | Feature::Ahead => None,
+            Feature::Wrap | Feature::Counter | Feature::Gate | Feature::Coasted | Feature::Ahead | Feature::InitAt => {
+                None
+            }
             _ => super::not_yet(feature),
         }
     }

@@ -11,6 +11,7 @@ pub(crate) mod cells;
 mod copies;
 mod count;
 mod gate;
+pub(crate) mod given;
 pub(crate) mod guard;
 pub(crate) mod injections;
 mod irregular;
@@ -29,6 +30,7 @@ use crate::ahead::Ahead;
 use crate::design::Settled;
 use crate::diagnostic::Diagnostic;
 use crate::front::measurement;
+use crate::given::Carry;
 use crate::plant::Plant;
 use crate::program::builder::Builder;
 use crate::program::{Field, Kind, Program, Value};
@@ -36,6 +38,7 @@ use crate::program::{Field, Kind, Program, Value};
 use super::{Functional, Way};
 use cells::Cells;
 use count::settled;
+use given::Given;
 use guard::{Growth, Guard};
 use predict::Unknowns;
 pub(crate) use report::Standing;
@@ -43,11 +46,15 @@ use sums::Anchor;
 
 /// Lowers a functional for its plant; constants that the target's floats cannot hold are reported.
 pub fn lower(plant: &Plant, functional: &Functional, ahead: Option<&Ahead>) -> Result<Program, Vec<Diagnostic>> {
-    let guard = Guard::new(plant, functional, Growth::default())?;
+    let carry = plant.init_at.then(|| Carry::new(plant, &functional.signals)).transpose()?;
+    let linear = carry.as_ref().map_or(0.0, Carry::gain);
+    let guard = Guard::new(plant, functional, Growth { linear, ..Growth::default() })?;
     injections::check(plant)?;
     let mut lowering = Lowering::new(plant, functional, guard);
     lowering.ahead = ahead;
+    lowering.given = carry.map(|carry| Given::declare(&mut lowering.builder, plant, carry));
     lowering.step();
+    lowering.init_at(|_, _| {});
     Ok(lowering.builder.finish())
 }
 
@@ -98,6 +105,8 @@ pub(crate) struct Lowering<'a> {
     replaced: Option<Value>,
     /// How the answer is moved.
     ahead: Option<&'a Ahead>,
+    /// What is kept of a given state, where the observer can start from one.
+    pub(crate) given: Option<Given>,
 }
 
 impl<'a> Lowering<'a> {
@@ -115,7 +124,7 @@ impl<'a> Lowering<'a> {
         for input in &plant.inputs {
             builder.input(field(&input.label.name, &input.label.unit, &input.label.doc));
         }
-        Self { plant, functional, guard, builder, cells, unknowns: None, replaced: None, ahead: None }
+        Self { plant, functional, guard, builder, cells, unknowns: None, replaced: None, ahead: None, given: None }
     }
 
     /// A constant of the design.
@@ -126,12 +135,14 @@ impl<'a> Lowering<'a> {
     fn step(&mut self) {
         let sampled = if self.functional.irregular.is_some() { self.sample_what_is_there() } else { self.sample() };
         let (before, count) = self.count(&sampled);
+        self.run_given(&sampled);
         self.store(&sampled);
         if let Some(irregular) = &self.functional.irregular {
             let full = self.counted(count, self.window());
             let answer = self.irregular(irregular, &sampled, full);
             self.builder.section("the estimate; until there is one, the start");
             let (known, renewed) = (answer.usable, Some(answer.enough));
+            self.end_given(known);
             self.report(&answer.estimate, &sampled, &Standing { known, determined: known, renewed });
             return;
         }
@@ -146,6 +157,7 @@ impl<'a> Lowering<'a> {
         let estimate = self.at_the_newest(&estimate, &sampled);
         let known = self.counted(count, self.window());
         let determined = self.counted(count, settled(self.functional));
+        self.end_given(determined);
         self.report(&estimate, &sampled, &Standing { known, determined, renewed: None });
     }
 

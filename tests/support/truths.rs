@@ -11,7 +11,8 @@ use super::plant::{Hold, Truth, corpus};
 pub fn truth(name: &str) -> Option<Truth> {
     Some(match name {
         "battery" => battery(),
-        "dc_motor" | "motor_single_delay" | "motor_intermittent" | "motor_recursive" | "luenberger" => dc_motor(),
+        "dc_motor" | "motor_known_start" | "motor_single_delay" | "motor_intermittent" | "motor_recursive"
+        | "luenberger" => dc_motor(),
         "motor_continuous" => smooth_motor(),
         "differentiator" => integrators(&[2.0, 3.0, 5.0, 5.0]),
         "differentiator_encoder" | "edge_times" | "lossy_encoder" | "three_windows" | "hand_guided" => {
@@ -40,8 +41,13 @@ pub fn truth(name: &str) -> Option<Truth> {
         "long_window" | "high_gain" => long_window(),
         "magnetic_levitation" => magnetic_levitation(),
         "mass_chain" => mass_chain(),
-        "oscillator" | "oscillator_kalman" | "oscillator_handover" => oscillator(),
-        "pendulum" | "pendulum_single_delay" | "pendulum_impulsive" | "pendulum_prescribed" | "kalman" => pendulum(),
+        "oscillator" | "oscillator_known_start" | "oscillator_kalman" | "oscillator_handover" => oscillator(),
+        "pendulum"
+        | "pendulum_known_start"
+        | "pendulum_single_delay"
+        | "pendulum_impulsive"
+        | "pendulum_prescribed"
+        | "kalman" => pendulum(),
         "pendulum_discrete" => pendulum_discrete(),
         "robust_exact" => swinging(),
         "small_memory" => small_memory(),

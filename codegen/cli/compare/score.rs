@@ -107,7 +107,7 @@ mod tests {
 
     fn answer() -> Answer {
         let (name, unit, doc) = (String::new(), String::new(), String::new());
-        Answer { name, unit, doc, integer: false, state: None, turns: Vec::new() }
+        Answer { name, unit, doc, integer: false, state: None, window: None, turns: Vec::new() }
     }
 
     /// The score of `estimate` against `reference`, both functions of the time, over 1000 rows of 0.01 s.
@@ -140,7 +140,7 @@ mod tests {
 
     #[test]
     fn what_does_not_move_has_no_lag() {
-        assert_eq!(score(|t| t.sin(), |_| 1.0).lag, None);
+        assert_eq!(score(f64::sin, |_| 1.0).lag, None);
         assert_eq!(score(|_| 1.0, |_| 1.0).lag, None);
         assert!(score(|_| f64::NAN, |t| t).rms.is_none());
     }

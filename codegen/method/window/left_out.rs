@@ -37,8 +37,13 @@ pub(super) fn cannot(feature: Feature, plant: &Plant) -> Option<Cannot> {
         Feature::Gate if late() => {
             ("the sample is late, and no prediction of it is kept", "leave out `gate` or `delay`")
         }
-        Feature::InitAt => ("it is not built yet", "leave the key out"),
-        Feature::Wrap | Feature::Gate | Feature::Every | Feature::Age | Feature::Coasted | Feature::Ahead => {
+        Feature::Wrap
+        | Feature::Gate
+        | Feature::Every
+        | Feature::Age
+        | Feature::Coasted
+        | Feature::Ahead
+        | Feature::InitAt => {
             return None;
         }
         Feature::Counter => (
@@ -134,10 +139,6 @@ impl Keys {
         if self.missing.0 == Some(Missing::Predicted) {
             let message = "samples that come at a rate of their own cannot be predicted in between";
             refuse(&self.missing.1, message, "leave out `missing`, or `every` and `age`");
-        }
-        if let Some(second) = self.windows.get(1) {
-            let message = "samples that are left out are so of one window";
-            refuse(&second.span(), message, "one window, or `missing = \"predicted\"`");
         }
         if self.weighting == Weighting::Minimax {
             let message = "minimax weights are of all samples of a window";

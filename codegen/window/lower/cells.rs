@@ -48,6 +48,18 @@ impl Kept {
         Some((b.read_ring(ring, slot), counts))
     }
 
+    /// Keeps a value, of a counter as the nearest count.
+    pub(super) fn put(self, b: &mut Builder, slot: Value, value: Value) {
+        match self {
+            Self::Counts(_, counts) => {
+                let none = b.index(0);
+                let count = counts.further(b, none, value);
+                self.write(b, slot, count);
+            }
+            Self::Window(_) | Self::Newest(_) => self.write(b, slot, value),
+        }
+    }
+
     /// Keeps a value that becomes the newest; of a counter, its count.
     pub(super) fn write(self, b: &mut Builder, slot: Value, value: Value) {
         match self {
