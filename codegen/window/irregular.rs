@@ -6,6 +6,7 @@
 //! of Q as the constants, the normal equations of all rows are the unit matrix, and those of some rows stay close to
 //! it: single precision suffices.
 
+mod age;
 mod certify;
 mod pattern;
 
@@ -15,6 +16,8 @@ use crate::plant::Plant;
 use crate::program::Scalar;
 use crate::real::{Matrix, Precision, Real, inverse};
 
+use age::ExactAges;
+pub use age::{Ages, degree};
 pub use certify::{Phase, certify};
 pub use pattern::Pattern;
 
@@ -53,6 +56,10 @@ pub struct Irregular {
     pub threshold: f64,
     /// Gains by phase, where there are several.
     pub phases: Vec<Phase>,
+    /// Per output: what a sample with an age shows.
+    pub ages: Vec<Option<Ages>>,
+    /// By age from N to 0: `Phi^(N - age) R^-1`, n x n; where samples come with their ages.
+    pub states: Vec<Vec<Vec<Settled>>>,
 }
 
 impl Irregular {
@@ -62,7 +69,22 @@ impl Irregular {
         let (n, p) = (self.phi.len(), self.c.len());
         let response = of(&self.phi) + of(&self.begin) + of(&self.end) + of(&self.c);
         let equations = n * (n + 1) / 2 + n;
-        self.rows.len() * (2 * response + p * (2 + n + 2 * equations))
+        let aged = self.ages.iter().flatten().map(|ages| ages.operations() + 2 * n * (n + 1)).sum::<usize>();
+        self.rows.len() * (2 * response + p * (2 + n + 2 * equations) + aged)
+    }
+
+    /// The largest entry of a row, for rows of samples with an age at any of them: those of Q are at most 1.
+    fn largest_entry(&self) -> f64 {
+        let of = |(ages, trust): (&Ages, &Settled)| {
+            let row = ages.largest_row();
+            let entry = |state: &Vec<Vec<Settled>>, j: usize| -> f64 {
+                row.iter().zip(state).map(|(c, direction)| c * direction[j].double.abs()).sum::<f64>() * trust.double
+            };
+            let largest = |state: &Vec<Vec<Settled>>| (0..row.len()).map(|j| entry(state, j)).fold(0.0, f64::max);
+            self.states.iter().map(largest).fold(0.0, f64::max)
+        };
+        let aged = self.ages.iter().zip(&self.trust).filter_map(|(ages, trust)| Some((ages.as_ref()?, trust)));
+        aged.map(of).fold(1.0, f64::max)
     }
 
     /// The largest magnitude in a step for samples of magnitude 1, from above.
@@ -88,8 +110,20 @@ impl Irregular {
         let response = largest.iter().copied().fold(0.0, f64::max);
         let trust = self.trust.iter().map(|trust| trust.double).fold(0.0, f64::max);
         let seen = self.c.iter().map(sum).fold(0.0, f64::max);
-        let right = super::count(self.rows.len() * self.c.len()) * trust * (1.0 + seen * response);
-        let factor = 2.0 / deadbeat_math::sqrt_f64(self.threshold);
+        let entry = self.largest_entry();
+        let aged = self.ages.iter().flatten();
+        let shown = aged.fold(1.0 + seen * response, |most, ages| {
+            let seen = ages.largest_row().iter().sum::<f64>();
+            most.max(1.0 + ages.largest_share() + seen * response)
+        });
+        let right = super::count(self.rows.len() * self.c.len()) * trust * shown * entry;
+        // With entries beyond 1 the diagonals of G are at most their squares' sum.
+        let diagonal = if entry > 1.0 {
+            entry * deadbeat_math::sqrt_f64(super::count(self.rows.len() * self.c.len()))
+        } else {
+            1.0
+        };
+        let factor = 2.0 * diagonal / deadbeat_math::sqrt_f64(self.threshold);
         let eliminated = (1..n).fold(right / self.threshold, |gain, _| gain * (1.0 + factor) * (1.0 + factor));
         let through = self.through.iter().map(sum).fold(0.0, f64::max);
         let phi = self.phi.iter().map(sum).fold(1.0, f64::max);
@@ -153,6 +187,8 @@ impl Irregular {
 /// The same at one precision.
 struct Exact {
     rows: Vec<Matrix>,
+    states: Vec<Matrix>,
+    ages: Vec<Option<ExactAges>>,
     through: Matrix,
     model: Model,
 }
@@ -176,13 +212,24 @@ pub fn design(plant: &Plant, signals: &[Signal], steps: usize, pattern: Pattern)
         let message = "the window does not determine the state";
         vec![Diagnostic::error(codes::UNOBSERVABLE, plant.span.clone(), message)]
     };
+    let mut degrees = Vec::new();
+    for (o, output) in plant.outputs.iter().enumerate() {
+        degrees.push(output.aged.as_ref().map(|aged| degree(plant, o, &aged.most)).transpose()?.flatten());
+    }
     let run = |p: Precision| {
         let model = Model::new(plant, signals, p)?;
+        let mut ages = Vec::new();
+        for (o, (output, degree)) in plant.outputs.iter().zip(&degrees).enumerate() {
+            let aged = output.aged.as_ref().zip(*degree);
+            let exact = aged.map(|(aged, degree)| ExactAges::new(plant, signals, o, &aged.most, degree, p));
+            ages.push(exact.transpose()?);
+        }
         let all = rows(&model, steps, &pattern);
         let factor = triangle(&all).ok_or_else(refuse)?;
         let back = inverse(&factor).map_err(|_| refuse())?;
         let rows = all.iter().map(|row| row * &back).collect();
-        Ok(Exact { rows, through: &model.phi.powi(steps as u64) * &back, model })
+        let states = if ages.iter().any(Option::is_some) { states(&model, &back, steps) } else { Vec::new() };
+        Ok(Exact { rows, states, ages, through: &model.phi.powi(steps as u64) * &back, model })
     };
     let round = |pass: &mut Pass, coarse: &Exact, fine: &Exact| rounded(pass, coarse, fine, plant.outputs.len());
     let (irregular, exact, _) = rising(plant, run, round, |_| 0.0)?;
@@ -191,6 +238,15 @@ pub fn design(plant: &Plant, signals: &[Signal], steps: usize, pattern: Pattern)
     // Below the limit a pivot is rounding; irregular patterns are a little worse than the worst regular one.
     let threshold = limit(plant).max(pivot / 64.0);
     Ok(Irregular { trust, pattern, pivot, threshold, ..irregular })
+}
+
+/// `Phi^j R^-1` for j = 0 … N.
+fn states(model: &Model, back: &Matrix, steps: usize) -> Vec<Matrix> {
+    let mut all = vec![back.clone()];
+    for j in 0..steps {
+        all.push(&model.phi * &all[j]);
+    }
+    all
 }
 
 /// `W C Phi^j` for j = 0 … N, p x n each; zeros where no sample shows the state of that age.
@@ -235,6 +291,15 @@ fn rounded(pass: &mut Pass, coarse: &Exact, fine: &Exact, outputs: usize) -> Irr
         (0..outputs).map(|o| one(pass, o)).collect()
     });
     let rows = rows.collect();
+    let states = coarse.states.iter().zip(&fine.states).map(|(c, f)| {
+        let one = |pass: &mut Pass, i: usize| {
+            pass.each(&row(c, i), &row(f, i)).into_iter().map(Option::unwrap_or_default).collect()
+        };
+        (0..c.rows()).map(|i| one(pass, i)).collect()
+    });
+    let states = states.collect();
+    let ages = coarse.ages.iter().zip(&fine.ages);
+    let ages = ages.map(|(c, f)| Some(Ages::rounded(pass, c.as_ref()?, f.as_ref()?))).collect();
     let mut sparse =
         |c: &Matrix, f: &Matrix| -> Sparse { (0..c.rows()).map(|i| pass.each(&row(c, i), &row(f, i))).collect() };
     let through = sparse(&coarse.through, &fine.through);
@@ -256,7 +321,23 @@ fn rounded(pass: &mut Pass, coarse: &Exact, fine: &Exact, outputs: usize) -> Irr
     let constant = sparse(&c.constant.transpose(), &f.constant.transpose()).remove(0);
     let pattern = Pattern::together(outputs, 1);
     let (trust, phases) = (Vec::new(), Vec::new());
-    Irregular { rows, through, phi, c: seen, begin, end, constant, trust, pattern, pivot: 0.0, threshold: 0.0, phases }
+    let (pivot, threshold) = (0.0, 0.0);
+    Irregular {
+        rows,
+        through,
+        phi,
+        c: seen,
+        begin,
+        end,
+        constant,
+        trust,
+        pattern,
+        pivot,
+        threshold,
+        phases,
+        ages,
+        states,
+    }
 }
 
 /// The smallest pivot of the normal equations with the samples of a pattern, at the worst call.

@@ -88,6 +88,8 @@ pub(crate) struct Sampled {
     slots: Vec<Value>,
     /// Calls since a sample was accepted, where that is asked for.
     coasted: Option<Value>,
+    /// Per output whose samples come with their ages: this one's, over the oldest.
+    ages: Vec<Option<Value>>,
 }
 
 /// A step being written.
@@ -115,6 +117,9 @@ impl<'a> Lowering<'a> {
         let cells = cells::declare(&mut builder, plant, functional);
         for output in &plant.outputs {
             builder.measurement(measurement(output));
+        }
+        for output in plant.outputs.iter().filter(|output| output.aged.is_some()) {
+            builder.measurement(field(&format!("{}_age", output.label.name), "s", "how old the sample is"));
         }
         for input in &plant.inputs {
             builder.input(field(&input.label.name, &input.label.unit, &input.label.doc));
@@ -238,6 +243,12 @@ impl<'a> Lowering<'a> {
                 self.builder.set_ring(*ring, sampled.newest, none);
             }
             self.builder.set_ring(*ring, *slot, *value);
+        }
+        let ages = self.cells.memory.as_ref().map(|memory| memory.ages.as_slice()).unwrap_or_default();
+        for (ring, age) in ages.iter().zip(&sampled.ages) {
+            if let (Some(ring), Some(age)) = (ring, age) {
+                self.builder.set_ring(*ring, sampled.newest, *age);
+            }
         }
         for (kept, value) in self.cells.signals.iter().zip(&sampled.signals) {
             kept.write(&mut self.builder, sampled.newest, *value);

@@ -15,7 +15,9 @@ pub fn truth(name: &str) -> Option<Truth> {
         | "luenberger" => dc_motor(),
         "motor_continuous" => smooth_motor(),
         "differentiator" => integrators(&[2.0, 3.0, 5.0, 5.0]),
-        "differentiator_encoder" | "lossy_encoder" | "three_windows" | "hand_guided" => integrators(&[0.5, 2.0, 5.0]),
+        "differentiator_encoder" | "edge_times" | "lossy_encoder" | "three_windows" | "hand_guided" => {
+            integrators(&[0.5, 2.0, 5.0])
+        }
         "swing_up" => integrators(&[2.0, 5.0]),
         "pendulum_turning" => pendulum_turning(),
         // A ramp, whose backward differences are its derivatives.
@@ -29,7 +31,7 @@ pub fn truth(name: &str) -> Option<Truth> {
         "car_rates" => car(),
         "alpha_beta" => integrators(&[100.0, 5.0]),
         "alpha_beta_gamma" => integrators(&[0.1, 0.5, 2.0]),
-        "drive_irregular" => drive_irregular(),
+        "drive_irregular" | "bus_sensor" => drive_irregular(),
         "drive_prescribed" => drive_prescribed(),
         "fixed_time_linear" => shaker(),
         "inverted_cart" => inverted_cart(0.3),

@@ -37,14 +37,19 @@ pub(super) fn cannot(feature: Feature, plant: &Plant) -> Option<Cannot> {
         Feature::Gate if late() => {
             ("the sample is late, and no prediction of it is kept", "leave out `gate` or `delay`")
         }
-        Feature::Wrap | Feature::Gate | Feature::Every | Feature::Coasted | Feature::Ahead | Feature::InitAt => {
+        Feature::Wrap
+        | Feature::Gate
+        | Feature::Every
+        | Feature::Age
+        | Feature::Coasted
+        | Feature::Ahead
+        | Feature::InitAt => {
             return None;
         }
         Feature::Counter => (
             "rows of samples that are there are solved in floats",
             "hand over floats with `quantum` and `wrap`, or leave out `missing`",
         ),
-        Feature::Age => ("it is not built yet", "leave the key out"),
     };
     Some(Cannot { why, instead })
 }
@@ -87,9 +92,14 @@ impl Keys {
         refuse_work(&irregular, &self.windows[0].span())?;
         let certified = certify(plant, &functional, &irregular, &exact);
         let certified = certified.filter(|_| irregular.pivot >= 16.0 * irregular::limit(plant));
-        let Some((certificate, phases)) = certified else {
+        let Some((mut certificate, phases)) = certified else {
             return Err(vec![hardly_determined(plant, &irregular, &self.windows[0].span())]);
         };
+        let aged = irregular.ages.iter().any(Option::is_some);
+        if aged {
+            // Other times of samples may cost more.
+            certificate.error_bound = vec![None; plant.states.len()];
+        }
         if phases.len() > 1 {
             irregular.phases = phases;
         }
@@ -111,7 +121,7 @@ impl Keys {
             realizations: Vec::new(),
             notes,
             constants: constants(&exact.model),
-            fir: regular.then(|| fir(plant, &functional)),
+            fir: (regular && !aged).then(|| fir(plant, &functional)),
             certificate,
             numerics,
             warnings: time_warning(plant).into_iter().chain(resolution_warnings(plant)).collect(),
@@ -129,10 +139,6 @@ impl Keys {
         if self.missing.0 == Some(Missing::Predicted) {
             let message = "samples that come at a rate of their own cannot be predicted in between";
             refuse(&self.missing.1, message, "leave out `missing`, or `every` and `age`");
-        }
-        if let Some(second) = self.windows.get(1) {
-            let message = "samples that are left out are so of one window";
-            refuse(&second.span(), message, "one window, or `missing = \"predicted\"`");
         }
         if self.weighting == Weighting::Minimax {
             let message = "minimax weights are of all samples of a window";
@@ -190,6 +196,9 @@ fn notes(irregular: &Irregular, steps: usize) -> Vec<String> {
             .to_owned(),
         "where those that are there do not determine the state, the model's prediction stands in (COASTING)".to_owned(),
     ];
+    if irregular.ages.iter().any(Option::is_some) {
+        notes.push("each sample counts at its own time; the gains are of samples of age 0".to_owned());
+    }
     let period = irregular.phases.len();
     if period > 1 {
         notes.push(format!(

@@ -8,7 +8,7 @@ use crate::program::{CellId, Value};
 use super::super::Functional;
 use super::count::longest_count;
 use super::irregular::Memory;
-use super::{injections, kept_len, late_len, window_len};
+use super::{injections, kept_len, late_len};
 
 /// What is kept of a sampled signal.
 #[derive(Clone, Copy, Debug)]
@@ -203,7 +203,7 @@ pub(super) fn declare(builder: &mut Builder, plant: &Plant, functional: &Functio
 }
 
 fn memory(builder: &mut Builder, plant: &Plant, functional: &Functional) -> Memory {
-    let window = window_len(functional);
+    let window = kept_len(functional);
     let present = plant.outputs.iter().map(|output| {
         let name = &output.label.name;
         builder.ring(&format!("has_{name}"), &format!("1 where there is a sample of {name}, by slot"), window, 0.0)
@@ -222,7 +222,13 @@ fn memory(builder: &mut Builder, plant: &Plant, functional: &Functional) -> Memo
     });
     let late = late.collect();
     let coasted = builder.index_cell("since", "calls since a sample was accepted", 0);
-    Memory { present, next, known, late, coasted }
+    let ages = plant.outputs.iter().map(|output| {
+        let name = &output.label.name;
+        let (cell, doc) = (format!("age_{name}"), format!("ages of these over the oldest, of {name} by slot"));
+        output.aged.as_ref().map(|_| builder.ring(&cell, &doc, window, 0.0))
+    });
+    let ages = ages.collect();
+    Memory { present, next, known, late, coasted, ages }
 }
 
 pub(crate) fn bracketed(unit: &str) -> String {

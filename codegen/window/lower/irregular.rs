@@ -10,7 +10,7 @@ use crate::plant::{Plant, Wrap};
 use crate::program::builder::Builder;
 use crate::program::{CellId, Scalar, Value};
 
-use super::super::irregular::{Irregular, Sparse};
+use super::super::irregular::{Ages, Irregular, Sparse};
 use super::cells::Kept;
 use super::injections::round;
 use super::normal::{solve, triangle};
@@ -28,6 +28,8 @@ pub(super) struct Memory {
     pub(super) late: Vec<Option<CellId>>,
     /// Calls since a sample was accepted.
     pub(super) coasted: CellId,
+    /// Per output whose samples come with their ages: those, over the oldest; by slot.
+    pub(super) ages: Vec<Option<CellId>>,
 }
 
 /// What one pass carries.
@@ -77,7 +79,11 @@ struct Pass<'a> {
     outputs: &'a [Kept],
     signals: &'a [Kept],
     present: &'a [CellId],
+    ages: &'a [Option<CellId>],
 }
+
+/// Where a row of the window stands: as constants, or in the table.
+type Entry<'a> = &'a dyn Fn(&mut Builder, usize, usize) -> Value;
 
 impl Pass<'_> {
     /// From one sample to the next: the known response.
@@ -117,12 +123,52 @@ impl Pass<'_> {
         moved.map_or_else(|| self.outputs[output].read(b, carried.slot), |(_, moved)| *moved)
     }
 
+    /// What a sample with an age shows of the state at its slot; `None` is zero.
+    fn shows(&self, b: &mut Builder, output: usize, slot: Value) -> Option<Vec<Option<Value>>> {
+        let (ages, cell) = (self.irregular.ages[output].as_ref()?, self.ages[output]?);
+        let age = b.read_ring(cell, slot);
+        Some(ages.row.iter().map(|series| power_series(b, self.scalar, series, age)).collect())
+    }
+
+    /// The rows of one slot: `rows` by output and direction, `states` by state and direction.
+    fn weights(&self, b: &mut Builder, slot: Value, rows: Entry, states: Entry) -> Vec<Vec<Value>> {
+        let n = self.irregular.phi.len();
+        let one = |b: &mut Builder, o: usize| -> Vec<Value> {
+            let Some(shows) = self.shows(b, o, slot) else { return (0..n).map(|j| rows(b, o, j)).collect() };
+            let trust = b.float(self.irregular.trust[o].value(self.scalar));
+            let shows: Vec<Option<Value>> = shows.into_iter().map(|c| c.map(|c| b.mul(trust, c))).collect();
+            (0..n)
+                .map(|j| {
+                    let mut terms = Vec::new();
+                    for (i, c) in shows.iter().enumerate() {
+                        if let Some(c) = c {
+                            let direction = states(b, i, j);
+                            terms.push(b.mul(*c, direction));
+                        }
+                    }
+                    b.sum(&terms)
+                })
+                .collect()
+        };
+        (0..self.outputs.len()).map(|o| one(b, o)).collect()
+    }
+
+    /// What a sample shows of the known response.
+    fn foreseen(&self, b: &mut Builder, output: usize, carried: &Carried) -> Value {
+        let Some(shows) = self.shows(b, output, carried.slot) else {
+            return self.row(b, &self.irregular.c, output, &carried.response);
+        };
+        let terms = shows.into_iter().zip(&carried.response);
+        let terms: Vec<Value> = terms.filter_map(|(c, response)| Some(b.mul(c?, *response))).collect();
+        b.sum(&terms)
+    }
+
     /// Adds the samples of one slot to the normal equations.
     fn samples(&self, b: &mut Builder, mut carried: Carried, weights: &[Vec<Value>]) -> Carried {
         for (o, row) in weights.iter().enumerate() {
             let present = b.read_ring(self.present[o], carried.slot);
             let sample = self.sample(b, &carried, o);
-            let foreseen = self.row(b, &self.irregular.c, o, &carried.response);
+            let foreseen = self.foreseen(b, o, &carried);
             let shown = b.sub(sample, foreseen);
             let trust = b.float(self.irregular.trust[o].value(self.scalar));
             let shown = b.mul(trust, shown);
@@ -146,6 +192,39 @@ impl Pass<'_> {
     fn column(&self, b: &mut Builder, effects: &Sparse, i: usize, values: &[Value]) -> Option<Value> {
         column(b, self.scalar, effects, i, values)
     }
+}
+
+/// A series in a value, by Horner; `None` is zero.
+fn power_series(b: &mut Builder, scalar: Scalar, series: &[Option<Settled>], value: Value) -> Option<Value> {
+    let mut sum: Option<Value> = None;
+    for coefficient in series.iter().rev() {
+        sum = sum.map(|sum| b.mul(sum, value));
+        if let Some(coefficient) = coefficient {
+            let coefficient = b.float(coefficient.value(scalar));
+            sum = Some(sum.map_or(coefficient, |sum| b.add(sum, coefficient)));
+        }
+    }
+    sum
+}
+
+/// What a sample of an age lacks of what has acted on the plant since then.
+pub(super) fn acted(
+    b: &mut Builder,
+    scalar: Scalar,
+    ages: &Ages,
+    age: Value,
+    (before, now): (&[Value], &[Value]),
+) -> Option<Value> {
+    let mut terms = Vec::new();
+    for (effects, values) in [(&ages.now, now), (&ages.before, before)] {
+        for (series, value) in effects.iter().zip(values) {
+            if let Some(effect) = power_series(b, scalar, series, age) {
+                terms.push(b.mul(effect, *value));
+            }
+        }
+    }
+    terms.extend(power_series(b, scalar, &ages.constant, age));
+    (!terms.is_empty()).then(|| b.sum(&terms))
 }
 
 /// The outputs that wrap.
@@ -215,8 +294,8 @@ impl Lowering<'_> {
         let memory = self.cells.memory.take().unwrap_or_else(|| unreachable!("declared with the solve"));
         let (scalar, len) = (self.plant.scalar, self.window());
         let plant = self.plant;
-        let pass =
-            Pass { irregular, plant, scalar, len, outputs: &outputs, signals: &signals, present: &memory.present };
+        let (present, ages) = (memory.present.as_slice(), memory.ages.as_slice());
+        let pass = Pass { irregular, plant, scalar, len, outputs: &outputs, signals: &signals, present, ages };
         let passed = self.pass(&pass, sampled.newest);
         let threshold = self.plant.scalar_value(irregular.threshold);
         let b = &mut self.builder;
@@ -249,16 +328,29 @@ impl Lowering<'_> {
         let (normal, moved) = (vec![zero; triangle(n).len()], pass.turning().map(|_| zero).collect());
         let start = Carried { normal, right: vec![zero; n], response: vec![zero; n], moved, slot };
         let value = |weight: &Settled| weight.value(scalar);
-        let first: Vec<Vec<Value>> =
-            irregular.rows[0].iter().map(|row| row.iter().map(|weight| b.float(value(weight))).collect()).collect();
+        let oldest = |rows: &[Vec<Vec<Settled>>], i: usize, j: usize| rows.first().map_or(0.0, |row| value(&row[i][j]));
+        let rows = |b: &mut Builder, o: usize, j: usize| b.float(oldest(&irregular.rows, o, j));
+        let states = |b: &mut Builder, i: usize, j: usize| b.float(oldest(&irregular.states, i, j));
+        let first = pass.weights(b, start.slot, &rows, &states);
         let start = pass.samples(b, start, &first);
-        let rows = irregular.rows[1..].iter().map(|row| row.iter().flatten().map(value).collect()).collect();
-        let columns = names.iter().flat_map(|name| (1..=n).map(move |j| format!("{name} in direction {j}")));
-        let table = b.table("ROWS", "orthonormal rows of the window, oldest first", columns.collect(), rows);
+        // Samples that come with their ages have their rows from the states' ways.
+        let timed: Vec<usize> = (0..names.len()).filter(|o| pass.ages[*o].is_none()).collect();
+        let timed_rows = |place: usize| timed.iter().flat_map(move |o| &irregular.rows[place][*o]);
+        let ways = |place: usize| irregular.states.get(place).into_iter().flatten().flatten();
+        let table = (1..irregular.rows.len()).map(|place| timed_rows(place).chain(ways(place)).map(value).collect());
+        let mut columns: Vec<String> =
+            timed.iter().flat_map(|o| (1..=n).map(|j| format!("{} in direction {j}", names[*o]))).collect();
+        if !irregular.states.is_empty() {
+            let states = self.plant.states.iter().map(|state| &state.label.name);
+            columns.extend(states.flat_map(|name| (1..=n).map(move |j| format!("state {name} in direction {j}"))));
+        }
+        let table = b.table("ROWS", "orthonormal rows of the window, oldest first", columns, table.collect());
         let after = b.loop_over(table, &start.flat(), |b, values| {
             let carried = pass.next_interval(b, Carried::of(values, n));
-            let weights: Vec<Vec<Value>> =
-                (0..names.len()).map(|o| (0..n).map(|j| b.gain(place(o * n + j))).collect()).collect();
+            let column = |o: usize| timed.iter().position(|timed| *timed == o).unwrap_or(0);
+            let rows = |b: &mut Builder, o: usize, j: usize| b.gain(place(column(o) * n + j));
+            let states = |b: &mut Builder, i: usize, j: usize| b.gain(place((timed.len() + i) * n + j));
+            let weights = pass.weights(b, carried.slot, &rows, &states);
             pass.samples(b, carried, &weights).flat()
         });
         Carried::of(&after, n)

@@ -68,12 +68,12 @@ impl<'a> Lowering<'a> {
                 // A late sample is predicted from an estimate of some calls ago, which must have converged.
                 let known = self.had_converged(count, late_len(self.functional, o).max(1));
                 let usable = self.builder.and(known, sane);
+                let instead = self.builder.select(usable, refined, last[o]);
                 let covered = self.builder.or(good[o], usable);
                 lost.push(self.builder.not(covered));
                 if let Some(stored) = self.counted_further(o, (good[o], usable), further, before) {
                     return stored;
                 }
-                let instead = self.builder.select(usable, refined, last[o]);
                 (self.builder.select(good[o], measured[o], instead), None)
             })
             .unzip();
@@ -104,6 +104,7 @@ impl<'a> Lowering<'a> {
             present: Vec::new(),
             slots: Vec::new(),
             coasted,
+            ages: Vec::new(),
         }
     }
 
