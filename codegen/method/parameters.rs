@@ -23,7 +23,7 @@ use std::sync::Arc;
 use super::window::{
     constants, delays, fir, refuse_long_delays, resolution_warnings, time_warning, verdict, window_steps,
 };
-use super::{Keyed, Method};
+use super::{Cannot, Feature, Keyed, Method, not_yet};
 use crate::design::{Convergence, Design, NamedMatrix, Numerics, Shape};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::parameters::augment::{augmented, varying, without};
@@ -115,6 +115,18 @@ struct Frame {
 }
 
 impl Keyed for Keys {
+    fn cannot(&self, feature: Feature, _plant: &Plant) -> Option<Cannot> {
+        match feature {
+            Feature::Gate | Feature::Coasted => None,
+            Feature::Wrap => Some(Cannot {
+                why: "its regression is of samples, not of their differences",
+                instead: "the method `window`, with the unknowns as states whose derivative is '0', where their factors are \
+                          constant; or an angle that counts turns",
+            }),
+            _ => not_yet(feature),
+        }
+    }
+
     fn observed(&self, plant: Plant) -> Result<Plant, Vec<Diagnostic>> {
         if plant.unknowns.is_empty() {
             let error = Diagnostic::error(codes::METHOD_CANNOT, plant.span.clone(), "there is no unknown to estimate");
