@@ -50,13 +50,13 @@ pub type Grid = Vec<Vec<Option<Settled>>>;
 /// Why no corrector can do something that a specification asks for.
 pub fn cannot(feature: Feature) -> Option<Cannot> {
     let (why, instead) = match feature {
-        Feature::Wrap | Feature::Gate | Feature::Ahead | Feature::Coasted => return None,
+        Feature::Wrap | Feature::Gate | Feature::Ahead | Feature::Coasted | Feature::InitAt => return None,
         Feature::Every => (
             "one gain for samples at several rates is not proven stable",
             "use `kalman` or `window`, which take several rates",
         ),
         Feature::Age => ("its gains are of samples taken at the calls", "use `window`, which takes samples of any age"),
-        Feature::Counter | Feature::InitAt => ("it is not built yet", "leave the key out"),
+        Feature::Counter => ("it is not built yet", "leave the key out"),
     };
     Some(Cannot { why, instead })
 }
@@ -109,6 +109,8 @@ pub enum Frame {
         readout: Grid,
         /// xi at the start but for the sample, n x 1.
         start: Vec<Option<Settled>>,
+        /// xi from x, n x n, where the observer can start from a given state.
+        entry: Option<Grid>,
     },
 }
 

@@ -219,7 +219,12 @@ impl Design {
     /// Why there is no error bound although the noise is declared; for the certificate.
     pub fn unbounded(&self) -> &'static str {
         match &self.shape {
-            Shape::Window(functional) if functional.irregular.is_some() && functional.gaps.is_some() => {
+            Shape::Window(functional)
+                if functional
+                    .irregular
+                    .as_ref()
+                    .is_some_and(|solve| functional.gaps.is_some() || solve.ages.iter().any(Option::is_some)) =>
+            {
                 "no error bound: it depends on when samples come; the gains are of regular gaps"
             }
             Shape::Window(functional) if functional.gaps.is_some() => {

@@ -18,6 +18,7 @@ pub mod diagnostic;
 pub mod emit;
 pub mod expr;
 mod front;
+mod given;
 pub mod implicit_euler;
 pub mod impulsive;
 pub mod method;

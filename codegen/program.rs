@@ -264,6 +264,10 @@ pub enum Op {
     Count(u16),
     /// Float: a field of the inputs.
     Input(u16),
+    /// Float: a field of the estimate that [`Program::init_at`] is given, of kind [`Kind::Float`]; only there.
+    Given(u16),
+    /// Bool: whether that estimate has converged: the caller vouches for it.
+    Vouched,
     /// Float or Index: a scalar cell as it is now.
     Cell(CellId),
     /// Float or Index: an element of a ring as it is now; `slot` is proven below the ring's length.
@@ -447,6 +451,9 @@ pub struct Program {
     pub tables: Vec<Table>,
     /// What a call does.
     pub body: Vec<Statement>,
+    /// What a start from an estimate does once every cell has its first value; its values are not the body's.
+    /// No loops, no measurements, no inputs.
+    pub init_at: Option<Vec<Statement>>,
     /// What a call returns, written last.
     pub estimates: Vec<(Field, Value)>,
     /// What a call reports; of type [`Type::Status`].
@@ -462,7 +469,7 @@ impl Program {
             Statement::Let { op: Op::Gain { .. }, .. } => row == Some(table),
             _ => false,
         };
-        self.body.iter().any(|statement| match statement {
+        self.body.iter().chain(self.init_at.iter().flatten()).any(|statement| match statement {
             Statement::Loop(inner) => inner.body.iter().any(|it| reads(it, Some(inner.table))),
             _ => reads(statement, None),
         })

@@ -67,6 +67,14 @@ impl<'a> Reference<'a> {
         Self { program, values: HashMap::new(), cells: cells.collect() }
     }
 
+    /// The start from an estimate.
+    fn start_at(&mut self, estimates: &[f64], vouched: bool) {
+        *self = Self::new(self.program);
+        if let Some(start) = &self.program.init_at {
+            self.body(start, &(estimates.to_vec(), vec![f64::from(u8::from(vouched))]), None);
+        }
+    }
+
     fn step(&mut self, given: &(Vec<f64>, Vec<f64>)) -> (Vec<f64>, Status) {
         self.values.clear();
         self.body(&self.program.body, given, None);
@@ -135,6 +143,8 @@ impl<'a> Reference<'a> {
             Op::IndexEqual(a, b) => Datum::Bool(self.index(*a) == self.index(*b)),
             Op::Measurement(at) => self.rounded(given.0[usize::from(*at)]),
             Op::Input(at) => self.rounded(given.1[usize::from(*at)]),
+            Op::Given(at) => self.rounded(given.0[usize::from(*at)]),
+            Op::Vouched => Datum::Bool(given.1[0] > 0.0),
             Op::Cell(cell) => self.cells[usize::from(cell.0)][0],
             Op::Ring { ring, slot } => self.cells[usize::from(ring.0)][self.index(*slot) as usize],
             Op::Lookup { table, row, column } => self.element(*table, self.index(*row) as usize, *column),
@@ -277,9 +287,13 @@ fn same(a: &[f64], b: &[f64]) -> bool {
 /// Compares one run of a Program, from its start.
 fn compare(program: &Program, interpreter: &mut Interpreter, inputs: &[(Vec<f64>, Vec<f64>)]) {
     let mut reference = Reference::new(program);
+    let (mut estimates, mut status) = (vec![0.0; program.estimates.len()], Status::Converging);
     for (step, given) in inputs.iter().enumerate() {
-        let mut estimates = vec![0.0; program.estimates.len()];
-        let status = interpreter.step(&given.0, &given.1, &mut estimates);
+        if step == inputs.len() / 2 && program.init_at.is_some() {
+            interpreter.start_at(&estimates, status);
+            reference.start_at(&estimates, status == Status::Converged);
+        }
+        status = interpreter.step(&given.0, &given.1, &mut estimates);
         let (expected, expected_status) = reference.step(given);
         let place = || format!("step {step} of {}", listing(program));
         assert!(same(&estimates, &expected), "{estimates:?} is not {expected:?} in {}", place());
@@ -360,6 +374,8 @@ fn seeds_cover_every_operation() {
         "Measurement",
         "Count",
         "Input",
+        "Given",
+        "Vouched",
         "Cell",
         "Ring",
         "Lookup",
@@ -373,7 +389,7 @@ fn seeds_cover_every_operation() {
         let mut seen = BTreeSet::new();
         let mut statements = BTreeSet::new();
         for program in (0..SEEDS).map(random_program).filter(|program| program.scalar == scalar) {
-            for statement in &program.body {
+            for statement in program.body.iter().chain(program.init_at.iter().flatten()) {
                 let inside = match statement {
                     Statement::Loop(inner) => inner.body.as_slice(),
                     _ => &[],

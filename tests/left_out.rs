@@ -19,6 +19,7 @@ mod truths;
 
 use std::cell::Cell;
 
+use deadbeat_codegen::program::interp::Interpreter;
 use deadbeat_codegen::program::{Scalar, Status};
 use deadbeat_codegen::window::irregular::Irregular;
 use deadbeat_codegen::{Generated, Generator, Settings, diagnostic::codes};
@@ -269,7 +270,7 @@ fn at_standstill_every_derivative_is_zero() {
             run.inputs.push(Vec::new());
         }
         for estimate in &run.through(&generated).estimates[steps..] {
-            assert_eq!(estimate[..], [f64::from(2.7_f32), 0.0, 0.0]);
+            assert_eq!(estimate[..3], [f64::from(2.7_f32), 0.0, 0.0]);
         }
     }
 }
@@ -288,7 +289,7 @@ fn a_sample_beyond_the_gate_is_left_out_until_there_are_too_many() {
     let (lost, answers) = (lost.through(&generated), far.through(&generated));
     assert_eq!(lost.statuses, answers.statuses);
     assert_eq!(lost.estimates, answers.estimates);
-    // From call 4N on the arm is a third of a turn further, for good: N rejected samples, then a window.
+    // From call 4N on the arm is a third of a turn further, for good: the Nth such sample is believed and begins a window.
     for row in &mut far.measurements[4 * steps..] {
         row[0] += 2.0;
     }
@@ -297,6 +298,24 @@ fn a_sample_beyond_the_gate_is_left_out_until_there_are_too_many() {
     assert_eq!(status(4 * steps - 1), Status::Converged);
     assert_eq!(status(5 * steps - 2), Status::Coasting);
     assert_eq!(status(5 * steps - 1), Status::Converging);
-    assert_eq!(status(6 * steps - 1), Status::Converging);
-    assert!(answers.statuses[6 * steps..].iter().all(|status| *status == Status::Converged));
+    assert_eq!(status(6 * steps - 2), Status::Converging);
+    assert!(answers.statuses[6 * steps - 1..].iter().all(|status| *status == Status::Converged));
+}
+
+/// The last field of the estimate: calls since a sample was accepted, of whichever output.
+#[test]
+fn the_estimate_says_how_old_the_newest_sample_is() {
+    let generated = designed(&corpus("lossy_position"));
+    let mut interpreter = Interpreter::new(&generated.program);
+    let there = [true, false, false, true, true, false];
+    let mut since = 0.0;
+    for (call, there) in there.iter().cycle().take(100).enumerate() {
+        let y = if *there { 0.1 } else { f64::NAN };
+        let mut estimate = vec![0.0; generated.program.estimates.len()];
+        // One output is as good as the other.
+        let samples = if call % 2 == 0 { [y, f64::NAN] } else { [f64::NAN, y] };
+        let _ = interpreter.step(&samples, &[0.0], &mut estimate);
+        since = if *there { 0.0 } else { since + 1.0 };
+        assert_eq!(*estimate.last().expect("a field"), since, "call {call}");
+    }
 }

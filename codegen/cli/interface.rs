@@ -95,11 +95,12 @@ impl Interface {
         Self { measurements: measurements.collect(), answers: answers.collect(), windows }
     }
 
-    /// Whether a field of an estimate has converged: where there are several windows, its own too.
+    /// Whether a field of an estimate has converged. The status is the shortest window's; a longer one has converged
+    /// when it is among those that the estimate counts.
     pub fn has_converged(&self, place: usize, estimate: &[f64], status: Status) -> bool {
-        let windows = self.windows.map(|windows| estimate[windows]);
-        let own = self.answers[place].window.zip(windows).is_none_or(|(window, windows)| f64::from(window) <= windows);
-        status != Status::Converging && own
+        let longer = self.answers[place].window.filter(|window| *window > 1);
+        let among = longer.zip(self.windows).is_none_or(|(window, windows)| f64::from(window) <= estimate[windows]);
+        status != Status::Converging && among
     }
 
     /// The estimates of quantities, by place; not the counts of calls and windows.

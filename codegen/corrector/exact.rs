@@ -39,6 +39,8 @@ pub struct Exact {
     pub handover: Option<Matrix>,
     /// `xi = M^-1 x` of the states' `initial` without the measured ones, where the step carries xi; n x 1.
     pub start: Option<Matrix>,
+    /// `M^-1`, where such a step can start from a given state.
+    pub entry: Option<Matrix>,
 }
 
 impl Law {
@@ -89,11 +91,14 @@ impl Exact {
         } else {
             None
         };
-        let start = match &chain {
-            Some(chain) if scaled => Some(start(plant, chain, precision)?),
-            _ => None,
+        let (start, entry) = match &chain {
+            Some(chain) if scaled => {
+                let back = inverse(&chain.m).map_err(|error| super::design::no_chain(plant, &error.to_string()))?;
+                (Some(start(plant, &back, precision)), plant.init_at.then_some(back))
+            }
+            _ => (None, None),
         };
-        Ok(Self { model, chain, law, handover, start })
+        Ok(Self { model, chain, law, handover, start, entry })
     }
 
     /// Into the coordinates that the step carries: the identity, or `M^-1`.
@@ -105,13 +110,12 @@ impl Exact {
     }
 }
 
-fn start(plant: &Plant, chain: &Chain, precision: Precision) -> Result<Matrix, Vec<Diagnostic>> {
+fn start(plant: &Plant, back: &Matrix, precision: Precision) -> Matrix {
     let n = plant.states.len();
     let initial = Matrix::from_fn(n, 1, |i, _| {
         let state = &plant.states[i];
         let value = if state.measured.is_empty() { state.initial.evaluate(precision).ok() } else { None };
         value.unwrap_or_else(|| Real::zero(precision))
     });
-    let back = inverse(&chain.m).map_err(|error| super::design::no_chain(plant, &error.to_string()))?;
-    Ok(&back * &initial)
+    back * &initial
 }

@@ -37,7 +37,8 @@ fn constants(design: &Corrector) -> Vec<Vec<Settled>> {
                 all.push(spread.q.iter().flatten().copied().collect());
             }
         }
-        Frame::Chain { readout, start } => {
+        Frame::Chain { readout, start, entry } => {
+            all.extend(entry.iter().map(entries));
             all.push(entries(readout));
             all.push(start.iter().flatten().copied().collect());
         }

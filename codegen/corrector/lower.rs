@@ -18,6 +18,7 @@
 
 mod gain;
 mod gate;
+mod given;
 mod known;
 mod rates;
 mod turn;
@@ -53,6 +54,7 @@ pub fn lower(plant: &Plant, design: &Corrector, ahead: Option<&Ahead>) -> Result
     }
     let mut lowering = Lowering { plant, design, guard, builder, cells, ahead };
     lowering.step();
+    lowering.init_at();
     Ok(lowering.builder.finish())
 }
 
@@ -78,6 +80,8 @@ struct Cells {
     rejected: Vec<Option<CellId>>,
     /// Calls since the newest accepted sample.
     coasted: CellId,
+    /// 1 from a start by an estimate until the first good call, where there is such a start.
+    given: Option<CellId>,
     /// Calls since every output was due.
     phase: CellId,
     /// Per output that is not due at every call: the calls until it is.
@@ -120,7 +124,8 @@ impl Cells {
         let coasted = b.index_cell("coasted", "calls since the newest accepted sample", 0);
         let phase = b.index_cell("phase", "calls since every output was due", 0);
         let due = rates::cells(b, plant);
-        Self { state, left, good, clean, outputs, signals, inputs, calls, rejected, coasted, phase, due }
+        let given = plant.init_at.then(|| b.index_cell("given", "1 from a given state until the first good call", 0));
+        Self { state, left, good, clean, outputs, signals, inputs, calls, rejected, coasted, phase, due, given }
     }
 }
 
@@ -254,6 +259,7 @@ impl Lowering<'_> {
         let none = self.builder.index(0);
         let good = self.builder.read(self.cells.good);
         let waiting = self.builder.index_equal(good, none);
+        let waiting = self.without_a_state(waiting);
         let mut again = self.builder.or(waiting, lost);
         if let Some(width) = self.farthest() {
             let near = self.builder.in_range(innovation[0], -width, width);
@@ -330,6 +336,7 @@ impl Lowering<'_> {
         let calls = self.builder.count_up(calls, u32::MAX);
         self.builder.set(self.cells.calls, calls);
         self.count_coasted(predicted);
+        self.has_begun(predicted, again);
         [good, clean]
     }
 

@@ -46,10 +46,12 @@ fn corrector(pass: &mut Pass, both: Both, signals: &[Signal], counting: Counting
 }
 
 fn frame(pass: &mut Pass, [coarse, fine]: Both) -> Frame {
+    let both = (coarse.entry.as_ref(), fine.entry.as_ref());
     match (&coarse.start, &fine.start, &coarse.chain, &fine.chain) {
         (Some(a), Some(b), Some(coarse), Some(fine)) => Frame::Chain {
             readout: entries(pass, &coarse.m, &fine.m),
             start: entries(pass, a, b).into_iter().map(|row| row[0]).collect(),
+            entry: both.0.zip(both.1).map(|(coarse, fine)| entries(pass, coarse, fine)),
         },
         (.., c, f) => {
             let spread = match (c, f) {

@@ -30,13 +30,13 @@ pub fn header(plan: &Plan, header: &Header) -> String {
         inputs: c.fields(&plan.program.inputs, ""),
         estimates: c.estimates(),
         cells: c.cells(),
+        starts_at: plan.start().is_some(),
     })
 }
 
 /// The contents of `<name>.c`.
 pub fn source(plan: &Plan, header: &Header) -> String {
     let c = C { plan };
-    let (step, parts) = plan.step();
     rendered(&SourceFile {
         name: &plan.names.lower,
         indent: indent(plan),
@@ -46,9 +46,10 @@ pub fn source(plan: &Plan, header: &Header) -> String {
         work: c.work_fields(),
         flags: plan.flags.iter().map(Value::to_string).collect::<Vec<_>>().join(", "),
         flag_count: plan.flags.len(),
-        parts: parts.iter().enumerate().map(|(at, part)| c.part(at, part)).collect(),
+        parts: plan.parts().map(|(at, of, part)| c.part(at, of, part)).collect(),
         starts: plan.program.cells.iter().flat_map(|cell| c.start(cell)).collect(),
-        step: c.step(step),
+        start: plan.start().map(|start| c.start_at(start)),
+        step: c.step(plan.step()),
         has_inputs: !plan.program.inputs.is_empty(),
     })
 }
@@ -67,6 +68,8 @@ struct HeaderFile<'a> {
     inputs: Vec<String>,
     estimates: Vec<String>,
     cells: Vec<String>,
+    /// Whether it can start from an estimate.
+    starts_at: bool,
 }
 
 /// The source.
@@ -84,6 +87,8 @@ struct SourceFile<'a> {
     flag_count: usize,
     parts: Vec<Part>,
     starts: Vec<String>,
+    /// What a start from an estimate does behind `init`.
+    start: Option<Vec<String>>,
     step: Vec<String>,
     has_inputs: bool,
 }

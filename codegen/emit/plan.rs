@@ -62,6 +62,8 @@ pub struct Function<'a> {
     /// The table whose row it is called with.
     pub row: Option<TableId>,
     pub reach: Reach,
+    /// Whether it is the start from an estimate, or a part of that.
+    pub starts: bool,
 }
 
 impl<'a> Plan<'a> {
@@ -75,8 +77,10 @@ impl<'a> Plan<'a> {
             flags: vec![],
             definitions: BTreeMap::new(),
         };
-        plan.define(&program.body);
-        plan.name_operands(&program.body);
+        for body in [program.init_at.as_deref().unwrap_or_default(), &program.body] {
+            plan.define(body);
+            plan.name_operands(body);
+        }
         plan.crossing = plan.crossing_values();
         plan.flags = plan.crossing.iter().copied().filter(|v| plan.r#type(*v) == Type::Bool).collect();
         for at in 0..plan.functions.len() {
@@ -106,12 +110,24 @@ impl<'a> Plan<'a> {
         }
     }
 
-    /// The step itself, and the functions that it is split into.
-    pub fn step(&self) -> (&Function<'a>, &[Function<'a>]) {
-        match self.functions.split_last() {
-            Some(both) => both,
+    /// The step itself.
+    pub fn step(&self) -> &Function<'a> {
+        match self.functions.last() {
+            Some(step) => step,
             None => unreachable!("split::functions ends with the step"),
         }
+    }
+
+    /// The start from an estimate itself.
+    pub fn start(&self) -> Option<&Function<'a>> {
+        self.functions.iter().rfind(|function| function.starts)
+    }
+
+    /// The functions that the start and the step are split into, with their places and of which they are a part.
+    pub fn parts(&self) -> impl Iterator<Item = (usize, &'static str, &Function<'a>)> {
+        let whole = 1 + usize::from(self.program.init_at.is_some());
+        let parts = self.functions[..self.functions.len() - whole].iter().enumerate();
+        parts.map(|(at, part)| (at, if part.starts { "a start" } else { "a step" }, part))
     }
 
     /// The table of the row that a function is called with, if it reads the row.

@@ -59,12 +59,19 @@ pub fn visit<'i, 'a>(items: &'i [Item<'a>], visitor: &mut impl FnMut(&'i Item<'a
     }
 }
 
-/// The functions of a Program, the step itself last.
+/// The functions of a Program: the parts of its step; the parts of its start, if it has one, and that itself; the step
+/// itself last.
 pub fn functions(program: &Program) -> Vec<Function<'_>> {
     let mut functions = vec![];
     let result = program.estimates.len() + 3;
     let items = fit(&program.body, ROOM.saturating_sub(result), None, &mut functions);
-    functions.push(Function { items, row: None, reach: Reach::default() });
+    if let Some(start) = &program.init_at {
+        let parts = functions.len();
+        let items = fit(start, ROOM, None, &mut functions);
+        functions.push(Function { items, row: None, reach: Reach::default(), starts: true });
+        functions[parts..].iter_mut().for_each(|function| function.starts = true);
+    }
+    functions.push(Function { items, row: None, reach: Reach::default(), starts: false });
     functions
 }
 
@@ -89,7 +96,7 @@ fn fit<'a>(
             }
             _ => chunk.iter().map(whole).collect(),
         };
-        functions.push(Function { items, row, reach: Reach::default() });
+        functions.push(Function { items, row, reach: Reach::default(), starts: false });
         calls.push(Item::Call(functions.len() - 1));
     }
     calls

@@ -19,6 +19,7 @@
 mod cells;
 mod copies;
 mod count;
+mod given;
 mod sample;
 
 use crate::ahead::Ahead;
@@ -49,6 +50,7 @@ pub fn lower(plant: &Plant, design: &Impulsive, ahead: Option<&Ahead>) -> Result
     }
     let mut lowering = Lowering { plant, design, bounds, builder, cells, ahead };
     lowering.step();
+    lowering.init_at();
     Ok(lowering.builder.finish())
 }
 
@@ -78,6 +80,8 @@ struct Sampled {
     knowns: Vec<Value>,
     /// Per input: what was used.
     inputs: Vec<Value>,
+    /// Calls since the newest accepted sample, where the estimate says so.
+    coasted: Option<Value>,
 }
 
 /// What a call makes of the copies, and whether that can be used.
@@ -90,6 +94,8 @@ struct Copies {
     phase: Value,
     /// Whether a reset gave what no good samples can.
     wild: Value,
+    /// z1 of this call without any reset.
+    carried: Vec<Value>,
 }
 
 impl Lowering<'_> {
@@ -97,7 +103,9 @@ impl Lowering<'_> {
         let sampled = self.sample();
         let copies = self.carry(&sampled);
         let counted = self.count(&sampled, &copies);
-        let first = self.store(&sampled, &copies, counted.starting);
+        let given = self.runs_given(&sampled, &copies, &counted);
+        let first = self.store(&sampled, &copies, (counted.starting, given));
+        let counted = self.with_given(counted, given);
         self.report(&sampled, &first, &counted);
     }
 
@@ -150,13 +158,19 @@ impl Lowering<'_> {
     }
 
     /// Keeps what the next call needs; gives z1.
-    fn store(&mut self, sampled: &Sampled, copies: &Copies, starting: Value) -> Vec<Value> {
+    fn store(
+        &mut self,
+        sampled: &Sampled,
+        copies: &Copies,
+        (starting, given): (Value, Option<given::Run>),
+    ) -> Vec<Value> {
         self.builder.section("for the next call");
         let gained = self.products(&self.design.gain, &sampled.outputs);
         let mut first = Vec::new();
         for (i, rest) in self.design.rest.iter().enumerate() {
             let initial = injections::round(&self.plant.states[*rest].initial, self.plant.scalar);
             let initial = self.builder.float(initial);
+            let initial = given.map_or(initial, |run| self.builder.select(run.active, copies.carried[i], initial));
             let z1 = self.builder.select(starting, initial, copies.after[0][i]);
             let begin = self.builder.add(initial, gained[i]);
             let z2 = self.builder.select(starting, begin, copies.after[1][i]);
@@ -192,7 +206,7 @@ impl Lowering<'_> {
         let mut answer = Vec::new();
         for (i, estimate) in estimate.iter().enumerate() {
             let start = start(&mut self.builder, self.plant, i, &sampled.outputs);
-            answer.push(self.builder.select(counted.converged, *estimate, start));
+            answer.push(self.builder.select(counted.known, *estimate, start));
         }
         if let Some(ahead) = self.ahead {
             let injections = Injections::new(self.plant, self.cells.calls, sampled.inputs.clone());
@@ -200,6 +214,10 @@ impl Lowering<'_> {
         }
         for (state, value) in self.plant.states.iter().zip(answer) {
             self.builder.estimate(field(&state.label.name, &state.label.unit, &state.label.doc), value);
+        }
+        if let Some(coasted) = sampled.coasted {
+            let doc = "calls since the newest accepted sample";
+            self.builder.estimate(field("coasted", "", doc), coasted);
         }
         let [converged, coasting, converging] =
             [Status::Converged, Status::Coasting, Status::Converging].map(|status| self.builder.status(status));

@@ -60,7 +60,15 @@ pub fn refused(plant: &Plant, keyed: &dyn Keyed, method: &str) -> Vec<Diagnostic
         let error = Diagnostic::error(codes::METHOD_CANNOT, span, message);
         Some(error.context(plant.span.clone(), "the method").help(cannot.instead))
     };
-    asked(plant).into_iter().filter_map(refusal).chain(coasted_twice(plant)).collect()
+    asked(plant).into_iter().filter_map(refusal).chain(contradiction(plant)).chain(coasted_twice(plant)).collect()
+}
+
+/// An estimate for later is none to start from.
+fn contradiction(plant: &Plant) -> Option<Diagnostic> {
+    let (_, span) = plant.ahead.as_ref().filter(|_| plant.init_at)?;
+    let message = "`init_at` starts from an estimate of now, and `ahead` gives estimates for later";
+    let error = Diagnostic::error(codes::METHOD_CANNOT, span.clone(), message);
+    Some(error.help("leave one of them out"))
 }
 
 /// A state that is called as the field which counts the calls since a sample was accepted.

@@ -18,7 +18,7 @@ use std::sync::Arc;
 use super::window::{
     VERDICT_BITS, read_hold, refuse_steps, refuse_unknowns, resolution_warnings, time_warning, verdict, window_steps,
 };
-use super::{Keyed, Method};
+use super::{Cannot, Feature, Keyed, Method};
 use crate::decimal::show;
 use crate::design::{Design, NamedMatrix, Shape};
 use crate::diagnostic::{Diagnostic, codes};
@@ -122,6 +122,13 @@ const MOST_CALLS: usize = 20_000;
 const DIGITS_LEFT: f64 = 1e2;
 
 impl Keyed for Keys {
+    fn cannot(&self, feature: Feature, _plant: &Plant) -> Option<Cannot> {
+        match feature {
+            Feature::InitAt | Feature::Coasted => None,
+            _ => super::not_yet(feature),
+        }
+    }
+
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {
         let mut found = refuse_unknowns(plant, METHOD.name);
         refuse_delays(plant, &mut found);

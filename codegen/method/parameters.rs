@@ -115,24 +115,28 @@ struct Frame {
 }
 
 impl Keyed for Keys {
-    fn cannot(&self, feature: Feature, _plant: &Plant) -> Option<Cannot> {
-        match feature {
-            Feature::Gate | Feature::Coasted => None,
-            Feature::Wrap => Some(Cannot {
-                why: "its regression is of samples, not of their differences",
-                instead: "the method `window`, with the unknowns as states whose derivative is '0', where their factors are \
-                          constant; or an angle that counts turns",
-            }),
-            _ => not_yet(feature),
-        }
-    }
-
     fn observed(&self, plant: Plant) -> Result<Plant, Vec<Diagnostic>> {
         if plant.unknowns.is_empty() {
             let error = Diagnostic::error(codes::METHOD_CANNOT, plant.span.clone(), "there is no unknown to estimate");
             return Err(vec![error.help("declare it under [unknowns], or use the method `window`")]);
         }
         with_functions(augmented(plant))
+    }
+
+    fn cannot(&self, feature: Feature, plant: &Plant) -> Option<Cannot> {
+        let stages = Cannot {
+            why: "its two stages have no model of an unknown whose factor varies",
+            instead: "`form = \"joint\"`",
+        };
+        match feature {
+            Feature::InitAt if self.paper.is_some() && !varying(plant).is_empty() => Some(stages),
+            Feature::Wrap => Some(Cannot {
+                why: "its regression is of samples, not of their differences",
+                instead: "the method `window`, with unknowns whose factors are constant as states whose derivative is '0'",
+            }),
+            Feature::Gate | Feature::InitAt | Feature::Coasted => None,
+            _ => not_yet(feature),
+        }
     }
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {

@@ -130,7 +130,9 @@ impl Keyed for Keys {
                 why: "measurements come at irregular times",
                 instead: "the method `window`, with NaN for what is missing",
             }),
-            Feature::Wrap | Feature::Counter | Feature::Gate | Feature::Coasted | Feature::Ahead => None,
+            Feature::Wrap | Feature::Counter | Feature::Gate | Feature::Coasted | Feature::Ahead | Feature::InitAt => {
+                None
+            }
             _ => not_yet(feature),
         }
     }

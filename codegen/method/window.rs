@@ -19,6 +19,7 @@
 //! An injection that depends on a held input is evaluated at both ends of each interval with that
 //! interval's input, so that a jump of the input costs nothing.
 
+mod ages;
 mod left_out;
 mod rates;
 mod several;
@@ -127,7 +128,9 @@ impl Keyed for Keys {
             return left_out::cannot(feature, plant);
         }
         match feature {
-            Feature::Wrap | Feature::Counter | Feature::Gate | Feature::Coasted | Feature::Ahead => None,
+            Feature::Wrap | Feature::Counter | Feature::Gate | Feature::Coasted | Feature::Ahead | Feature::InitAt => {
+                None
+            }
             _ => super::not_yet(feature),
         }
     }
@@ -147,6 +150,10 @@ impl Keyed for Keys {
         }
         let condition = verdict(plant, &delays, steps, &span)?;
         if self.leaves_out(plant) {
+            let found = ages::check(plant, &signals, steps);
+            if !found.is_empty() {
+                return Err(found);
+            }
             let pattern = rates::pattern(plant, delays, steps, &span)?;
             return self.left_out(plant, &signals, steps, pattern, condition);
         }

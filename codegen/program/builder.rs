@@ -20,6 +20,8 @@ mod tests;
 
 use self::fold::{Folded, fold};
 use self::share::Shared;
+use std::mem;
+
 use super::check::Flaw;
 use super::check::typing::{Context, expect};
 use super::{CellId, Field, Kind, Op, Program, Scalar, Statement, TableId, Type, Value};
@@ -42,8 +44,11 @@ pub struct Builder {
     reported: bool,
 }
 
-/// The scope of a value that is visible everywhere.
+/// The scope of a value that is visible everywhere in the step.
 const TOP: u32 = 0;
+
+/// The scope of the start.
+const START: u32 = u32::MAX;
 
 /// What is known of a value.
 struct Definition {
@@ -66,6 +71,7 @@ impl Builder {
             cells: vec![],
             tables: vec![],
             body: vec![],
+            init_at: None,
             estimates: vec![],
             status: Value(0),
         };
@@ -119,6 +125,18 @@ impl Builder {
         self.reported = true;
     }
 
+    /// Writes what a start from an estimate does, once the step is written: the estimate's fields are known then.
+    pub fn init_at(&mut self, write: impl FnOnce(&mut Self)) {
+        assert!(self.scope == TOP && self.program.init_at.is_none(), "one start, outside of loops");
+        let step = mem::take(&mut self.program.body);
+        let shared = mem::replace(&mut self.shared, Shared::with_cells(self.program.cells.len()));
+        self.scope = START;
+        write(self);
+        self.scope = TOP;
+        self.shared = shared;
+        self.program.init_at = Some(mem::replace(&mut self.program.body, step));
+    }
+
     /// The Program, without what the estimates and the status do not need; its values are
     /// `t0`, `t1`, … in the order of their definitions.
     #[must_use]
@@ -169,7 +187,8 @@ impl Builder {
     /// The type of a value that may be used here.
     fn visible(&self, value: Value) -> Result<Type, Flaw> {
         match self.definitions.get(value.0 as usize) {
-            Some(known) if known.scope == TOP || known.scope == self.scope => Ok(known.r#type),
+            Some(known) if known.scope == self.scope => Ok(known.r#type),
+            Some(known) if known.scope == TOP && self.scope != START => Ok(known.r#type),
             _ => Err(Flaw::Undefined(value)),
         }
     }
@@ -181,7 +200,7 @@ impl Builder {
 
     /// What an operation written here may refer to.
     fn context(&self) -> Context<'_> {
-        Context::of(&self.program, self.row)
+        if self.scope == START { Context::starting(&self.program) } else { Context::of(&self.program, self.row) }
     }
 
     /// Panics on a misuse.

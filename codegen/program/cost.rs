@@ -115,6 +115,8 @@ impl Cost {
             Op::Measurement(_)
             | Op::Count(_)
             | Op::Input(_)
+            | Op::Given(_)
+            | Op::Vouched
             | Op::Cell(_)
             | Op::Ring { .. }
             | Op::Lookup { .. }

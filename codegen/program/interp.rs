@@ -82,6 +82,21 @@ impl Interpreter {
         names.zip(contents).collect()
     }
 
+    /// Starts from an estimate, a number for each of its fields; with [`Status::Converged`] the caller vouches for it.
+    /// Without `init_at` in the Program it is [`Interpreter::reset`].
+    ///
+    /// # Panics
+    /// If there is not one number for each estimate.
+    pub fn start_at(&mut self, given: &[f64], status: Status) {
+        assert_eq!(given.len(), self.program.estimates.len(), "one per estimate");
+        let vouched = status == Status::Converged;
+        match &mut self.machine {
+            _ if self.program.init_at.is_none() => self.reset(),
+            Typed::F32(machine) => machine.start_at(&self.program, given, vouched),
+            Typed::F64(machine) => machine.start_at(&self.program, given, vouched),
+        }
+    }
+
     /// Puts every cell back to its start.
     pub fn reset(&mut self) {
         match &mut self.machine {

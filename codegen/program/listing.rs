@@ -26,7 +26,8 @@ pub fn listing(program: &Program) -> String {
     for it in &program.tables {
         block(&mut text, &format!("table {}", it.name), table(it, program));
     }
-    block(&mut text, "step", step(program));
+    block(&mut text, "init_at", statements(program.init_at.as_deref().unwrap_or_default(), program));
+    block(&mut text, "step", statements(&program.body, program));
     block(&mut text, "return", returned(program));
     text
 }
@@ -88,9 +89,9 @@ fn table(table: &Table, program: &Program) -> Vec<String> {
 }
 
 /// The statements.
-fn step(program: &Program) -> Vec<String> {
+fn statements(body: &[Statement], program: &Program) -> Vec<String> {
     let mut lines = vec![];
-    for it in &program.body {
+    for it in body {
         let text = statement(it, program);
         lines.extend(text.lines().map(str::to_owned));
     }

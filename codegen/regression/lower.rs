@@ -6,6 +6,7 @@
 //! their last good values.
 
 mod gather;
+mod given;
 mod responses;
 mod solve;
 
@@ -27,7 +28,9 @@ pub fn lower(plant: &Plant, regression: &Regression) -> Result<Program, Vec<Diag
     let guard = Guard::new(plant, &regression.carrier, growth(regression))?;
     injections::check(plant)?;
     let mut step = Step::new(Lowering::new(plant, &regression.carrier, guard), regression);
+    step.declare_given();
     step.write();
+    step.init_at();
     Ok(step.lowering.builder.finish())
 }
 
@@ -72,6 +75,7 @@ impl<'a> Step<'a> {
     fn write(&mut self) {
         let sampled = self.lowering.sample();
         let (_, count) = self.lowering.count(&sampled);
+        self.lowering.run_given(&sampled);
         self.lowering.store(&sampled);
         let start = self.start(&sampled);
         let window = Window::new(&mut self.lowering, self.regression);
@@ -85,6 +89,7 @@ impl<'a> Step<'a> {
         self.lowering.builder.section("the estimate; until the unknowns have been found, the start");
         let estimate = self.estimate(&gathered, &values);
         self.lowering.look_ahead(&estimate, &sampled);
+        self.lowering.end_given(known);
         let standing = Standing { known, determined: good, renewed: None };
         self.lowering.report(&estimate, &sampled, &standing);
     }
@@ -112,16 +117,24 @@ impl<'a> Step<'a> {
         Running { slot, late, known, gammas }
     }
 
+    /// Calls for which it is kept that the unknowns are known.
+    fn longest(&self) -> u32 {
+        (0..self.late.len()).map(|o| late_len(&self.regression.carrier, o)).max().unwrap_or(0).max(1)
+    }
+
     /// Whether the unknowns are known: found now, or once since the window is full.
     fn known(&mut self, full: Value, good: Value) -> Value {
-        let longest = (0..self.late.len()).map(|o| late_len(&self.regression.carrier, o)).max().unwrap_or(0).max(1);
+        let longest = self.longest();
+        let given = self.lowering.runs_given();
         let before = self.lowering.builder.read(self.found);
         let once = self.lowering.counted(before, 1);
         let b = &mut self.lowering.builder;
         let either = b.or(good, once);
         let known = b.and(full, either);
         let (more, none) = (b.count_up(before, longest), b.index(0));
-        let found = b.select(known, more, none);
+        // A given state brings its unknowns along.
+        let kept = given.map_or(none, |given| b.select(given, before, none));
+        let found = b.select(known, more, kept);
         b.set(self.found, found);
         known
     }

@@ -12,6 +12,7 @@ mod copies;
 mod count;
 mod further;
 mod gate;
+pub(crate) mod given;
 pub(crate) mod guard;
 pub(crate) mod injections;
 mod irregular;
@@ -30,6 +31,7 @@ use crate::ahead::Ahead;
 use crate::design::Settled;
 use crate::diagnostic::Diagnostic;
 use crate::front::measurement;
+use crate::given::Carry;
 use crate::plant::Plant;
 use crate::program::builder::Builder;
 use crate::program::{Field, Kind, Program, Value};
@@ -37,6 +39,7 @@ use crate::program::{Field, Kind, Program, Value};
 use super::{Functional, Way};
 use cells::Cells;
 use count::settled;
+use given::Given;
 use guard::{Growth, Guard};
 use predict::Unknowns;
 pub(crate) use report::Standing;
@@ -44,11 +47,15 @@ use sums::Anchor;
 
 /// Lowers a functional for its plant; constants that the target's floats cannot hold are reported.
 pub fn lower(plant: &Plant, functional: &Functional, ahead: Option<&Ahead>) -> Result<Program, Vec<Diagnostic>> {
-    let guard = Guard::new(plant, functional, Growth::default())?;
+    let carry = plant.init_at.then(|| Carry::new(plant, &functional.signals)).transpose()?;
+    let linear = carry.as_ref().map_or(0.0, Carry::gain);
+    let guard = Guard::new(plant, functional, Growth { linear, ..Growth::default() })?;
     injections::check(plant)?;
     let mut lowering = Lowering::new(plant, functional, guard);
     lowering.ahead = ahead;
+    lowering.given = carry.map(|carry| Given::declare(&mut lowering.builder, plant, carry));
     lowering.step();
+    lowering.init_at(|_, _| {});
     Ok(lowering.builder.finish())
 }
 
@@ -82,6 +89,8 @@ pub(crate) struct Sampled {
     slots: Vec<Value>,
     /// Calls since a sample was accepted, where that is asked for.
     coasted: Option<Value>,
+    /// Per output whose samples come with their ages: this one's, over the oldest.
+    ages: Vec<Option<Value>>,
 }
 
 /// A step being written.
@@ -97,6 +106,8 @@ pub(crate) struct Lowering<'a> {
     replaced: Option<Value>,
     /// How the answer is moved.
     ahead: Option<&'a Ahead>,
+    /// What is kept of a given state, where the observer can start from one.
+    pub(crate) given: Option<Given>,
 }
 
 impl<'a> Lowering<'a> {
@@ -108,10 +119,13 @@ impl<'a> Lowering<'a> {
         for output in &plant.outputs {
             builder.measurement(measurement(output));
         }
+        for output in plant.outputs.iter().filter(|output| output.aged.is_some()) {
+            builder.measurement(field(&format!("{}_age", output.label.name), "s", "how old the sample is"));
+        }
         for input in &plant.inputs {
             builder.input(field(&input.label.name, &input.label.unit, &input.label.doc));
         }
-        Self { plant, functional, guard, builder, cells, unknowns: None, replaced: None, ahead: None }
+        Self { plant, functional, guard, builder, cells, unknowns: None, replaced: None, ahead: None, given: None }
     }
 
     /// A constant of the design.
@@ -122,12 +136,14 @@ impl<'a> Lowering<'a> {
     fn step(&mut self) {
         let sampled = if self.functional.irregular.is_some() { self.sample_what_is_there() } else { self.sample() };
         let (before, count) = self.count(&sampled);
+        self.run_given(&sampled);
         self.store(&sampled);
         if let Some(irregular) = &self.functional.irregular {
             let full = self.counted(count, self.window());
             let answer = self.irregular(irregular, &sampled, full);
             self.builder.section("the estimate; until there is one, the start");
             let (known, renewed) = (answer.usable, Some(answer.enough));
+            self.end_given(known);
             self.report(&answer.estimate, &sampled, &Standing { known, determined: known, renewed });
             return;
         }
@@ -142,6 +158,7 @@ impl<'a> Lowering<'a> {
         let estimate = self.at_the_newest(&estimate, &sampled);
         let known = self.counted(count, self.window());
         let determined = self.counted(count, settled(self.functional));
+        self.end_given(determined);
         self.report(&estimate, &sampled, &Standing { known, determined, renewed: None });
     }
 
@@ -227,6 +244,12 @@ impl<'a> Lowering<'a> {
                 self.builder.set_ring(*ring, sampled.newest, none);
             }
             self.builder.set_ring(*ring, *slot, *value);
+        }
+        let ages = self.cells.memory.as_ref().map(|memory| memory.ages.as_slice()).unwrap_or_default();
+        for (ring, age) in ages.iter().zip(&sampled.ages) {
+            if let (Some(ring), Some(age)) = (ring, age) {
+                self.builder.set_ring(*ring, sampled.newest, *age);
+            }
         }
         for (kept, value) in self.cells.signals.iter().zip(&sampled.signals) {
             kept.write(&mut self.builder, sampled.newest, *value);

@@ -57,6 +57,12 @@ typedef struct {
 
 /* Back to the state before the first sample. */
 void {{ name }}_init({{ name }}_state *state);
+{%- if starts_at %}
+
+/* From an estimate, as behind the call that gave it: the first step is one sample time later. A status of
+ * {{ upper }}_CONVERGED vouches for it, and the first step answers that status at once. */
+void {{ name }}_init_at({{ name }}_state *state, const {{ name }}_estimate *estimate);
+{%- endif %}
 {% if inputs.is_empty() %}
 /* One sample: takes the measurements, gives the estimate. */
 {%- else %}

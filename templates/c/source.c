@@ -73,6 +73,19 @@ void {{ name }}_init({{ name }}_state *state)
     state->reserved = 0U;
 {%- endif %}
 }
+{%- if let Some(lines) = start %}
+
+void {{ name }}_init_at({{ name }}_state *state, const {{ name }}_estimate *estimate)
+{
+    {{ name }}_init(state);
+{%- for line in lines %}
+{%- if line.is_empty() %}
+{% else %}
+    {{ line }}
+{%- endif %}
+{%- endfor %}
+}
+{%- endif %}
 
 void {{ name }}_step({{ name }}_state *state, const {{ name }}_measurements *measurements,
 {{ indent }}{% if has_inputs %}const {{ name }}_inputs *inputs, {% endif %}{{ name }}_estimate *estimate)

@@ -19,7 +19,7 @@ use std::{env, fs, thread};
 
 use deadbeat_codegen::emit::{self, Header};
 use deadbeat_codegen::program::interp::Interpreter;
-use deadbeat_codegen::program::{Field, Kind, Program, Scalar};
+use deadbeat_codegen::program::{Field, Kind, Program, Scalar, Status};
 
 /// What one call gets.
 #[derive(Clone, Debug)]
@@ -50,6 +50,8 @@ impl PartialEq for Answer {
 }
 
 /// An observer and what it is fed. The Programs of one run have different names.
+///
+/// One that can start from an estimate does so before call [`restart`], from the estimate of the call before.
 pub struct Case {
     /// The observer.
     pub program: Program,
@@ -61,12 +63,16 @@ impl Case {
     /// What the interpreter answers.
     pub fn interpreted(&self) -> Vec<Answer> {
         let mut interpreter = Interpreter::new(&self.program);
-        let answer = |sample: &Sample| {
-            let mut estimates = vec![0.0; self.program.estimates.len()];
-            let status = interpreter.step(&sample.measurements, &sample.inputs, &mut estimates);
-            Answer { estimates, status: status as u8 }
+        let mut estimates = vec![0.0; self.program.estimates.len()];
+        let mut status = Status::Converging;
+        let answer = |(call, sample): (usize, &Sample)| {
+            if restart(self) == Some(call) {
+                interpreter.start_at(&estimates, status);
+            }
+            status = interpreter.step(&sample.measurements, &sample.inputs, &mut estimates);
+            Answer { estimates: estimates.clone(), status: status as u8 }
         };
-        self.samples.iter().map(answer).collect()
+        self.samples.iter().enumerate().map(answer).collect()
     }
 
     /// The samples as raw numbers.
@@ -108,6 +114,11 @@ impl Case {
             (_, Scalar::F64) => f64::from_ne_bytes(take(output)),
         }
     }
+}
+
+/// Before which call an observer starts from the last estimate, if it can.
+pub fn restart(case: &Case) -> Option<usize> {
+    (case.program.init_at.is_some() && case.samples.len() > 1).then_some(case.samples.len() / 2)
 }
 
 /// The next bytes of some output.

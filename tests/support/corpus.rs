@@ -121,7 +121,13 @@ impl Subject {
             }
             None => Span { centre: 0.0, amplitude: 1.0 },
         };
-        self.generated.plant.outputs.iter().map(span).collect()
+        // Ages follow the outputs.
+        let aged = self.generated.plant.outputs.iter().filter_map(|output| output.aged.as_ref());
+        let ages = aged.map(|aged| {
+            let half = number(&aged.most) / 2.0;
+            Span { centre: half, amplitude: power_of_two_below(half) }
+        });
+        self.generated.plant.outputs.iter().map(span).chain(ages).collect()
     }
 
     /// Inputs.

@@ -4,7 +4,7 @@
 use deadbeat_codegen::emit::Door;
 use deadbeat_codegen::program::{Field, Kind, Program, Scalar};
 
-use super::Case;
+use super::{Case, restart};
 
 /// All C files as one.
 pub fn all(cases: &[Case]) -> String {
@@ -63,13 +63,22 @@ int main(void)
 }
 
 /// The C function that runs one observer.
-fn c_run(Case { program, samples }: &Case) -> String {
+fn c_run(case: &Case) -> String {
+    let Case { program, samples } = case;
     let (name, count) = (&program.name, samples.len());
     let get = |of: &str, fields| each(fields, |field| format!("        get(&{of}.{field}, sizeof {of}.{field});\n"));
     let measurements = get("measurements", &program.measurements);
     let inputs = get("inputs", &program.inputs);
     let estimates =
         each(estimates(program), |field| format!("        put(&estimate.{field}, sizeof estimate.{field});\n"));
+    let again = restart(case).map_or(String::new(), |call| {
+        format!(
+            "        if (call == {call}) {{
+            {name}_init_at(&state, &estimate);
+        }}
+"
+        )
+    });
     let (declared, passed) = if program.inputs.is_empty() {
         (String::new(), "")
     } else {
@@ -86,7 +95,7 @@ static void run_{name}(void)
     {name}_init(&state);
     for (call = 0; call < {count}; ++call) {{
         unsigned char status;
-{measurements}{inputs}        {name}_step(&state, &measurements, {passed}&estimate);
+{again}{measurements}{inputs}        {name}_step(&state, &measurements, {passed}&estimate);
 {estimates}        status = (unsigned char)estimate.status;
         put(&status, sizeof status);
     }}
@@ -133,7 +142,8 @@ fn main() {{
 }
 
 /// The Rust statements that run one observer.
-fn rust_run(Case { program, samples }: &Case) -> String {
+fn rust_run(case: &Case) -> String {
+    let Case { program, samples } = case;
     let (name, scalar, count) = (&program.name, program.scalar, samples.len());
     let get = |fields: &[Field]| -> String {
         let one = |it: &Field| format!("{}: {}::from_ne_bytes(get(&mut input)), ", it.name, r#type(it, scalar));
@@ -145,12 +155,26 @@ fn rust_run(Case { program, samples }: &Case) -> String {
     let estimates = each(estimates(program), |field| {
         format!("        output.write_all(&estimate.{field}.to_ne_bytes()).unwrap();\n")
     });
+    let (last, call, again, kept) = match restart(case) {
+        None => (String::new(), "_", String::new(), ""),
+        Some(call) => (
+            "    let mut last = None;\n".to_owned(),
+            "call",
+            format!(
+                "        if let (Some(last), {call}) = (last, call) {{
+            observer = {name}::Observer::at(last);
+        }}
+"
+            ),
+            "        last = Some(estimate);\n",
+        ),
+    };
     format!(
         "    let mut observer = {name}::Observer::default();
-    for _ in 0..{count} {{
-        let estimate = observer.step({name}::Measurements {{ {measurements} }}{passed});
+{last}    for {call} in 0..{count} {{
+{again}        let estimate = observer.step({name}::Measurements {{ {measurements} }}{passed});
 {estimates}        output.write_all(&[estimate.status as u8]).unwrap();
-    }}
+{kept}    }}
 "
     )
 }

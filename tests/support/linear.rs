@@ -133,7 +133,11 @@ impl Linear {
             let late = if *delay > 0 { format!("delay = {}", *delay as f64 * self.h) } else { String::new() };
             let noise = self.noise.get(o).map_or_else(String::new, |noise| format!("noise = {noise}"));
             let every = self.every.get(o).map_or_else(String::new, |every| format!("every = {every}"));
-            let age = self.ages.get(o).map_or_else(String::new, |most| format!("age = 'measured', age_max = {most}"));
+            let age = self
+                .ages
+                .get(o)
+                .filter(|most| **most > 0.0)
+                .map_or_else(String::new, |most| format!("age = 'measured', age_max = {most}"));
             let entries: Vec<String> = [value, late, noise, every, age].into_iter().filter(|s| !s.is_empty()).collect();
             let _ = writeln!(text, "y{} = {{ {} }}", o + 1, entries.join(", "));
         }
@@ -143,13 +147,19 @@ impl Linear {
 
     /// exp of [A B 0; 0 0 I; 0 0 0] h: Phi, the effect of a held input, and of one that rises by 1 over the interval.
     pub fn sampled(&self) -> (DMatrix<f64>, DMatrix<f64>, DMatrix<f64>) {
-        let (n, m) = (self.a.nrows(), self.b.ncols());
         if self.discrete {
+            let (n, m) = (self.a.nrows(), self.b.ncols());
             return (self.a.clone(), self.b.clone(), DMatrix::zeros(n, m));
         }
+        self.over(self.h)
+    }
+
+    /// The same over another time, forwards or backwards.
+    pub fn over(&self, time: f64) -> (DMatrix<f64>, DMatrix<f64>, DMatrix<f64>) {
+        let (n, m) = (self.a.nrows(), self.b.ncols());
         let mut whole = DMatrix::zeros(n + 2 * m, n + 2 * m);
-        whole.view_mut((0, 0), (n, n)).copy_from(&(&self.a * self.h));
-        whole.view_mut((0, n), (n, m)).copy_from(&(&self.b * self.h));
+        whole.view_mut((0, 0), (n, n)).copy_from(&(&self.a * time));
+        whole.view_mut((0, n), (n, m)).copy_from(&(&self.b * time));
         whole.view_mut((n, n + m), (m, m)).fill_with_identity();
         let whole = exponential(&whole);
         let part = |from: usize, width: usize| whole.view((0, from), (n, width)).into_owned();

@@ -250,7 +250,10 @@ impl Run {
         let mut answers = Answers { estimates: Vec::new(), statuses: Vec::new() };
         for (measurements, inputs) in self.measurements.iter().zip(&self.inputs) {
             let mut estimate = vec![0.0; generated.program.estimates.len()];
-            answers.statuses.push(interpreter.step(measurements, inputs, &mut estimate));
+            // Samples that come with their ages are of now, where nothing else is said.
+            let mut measurements = measurements.clone();
+            measurements.resize(generated.program.measurements.len(), 0.0);
+            answers.statuses.push(interpreter.step(&measurements, inputs, &mut estimate));
             estimate.truncate(generated.plant.states.len());
             answers.estimates.push(estimate);
         }

@@ -535,7 +535,41 @@ impl Writer {
         self.b.estimate(field("number", ""), index);
         let status = self.any_status();
         self.b.report(status);
+        if self.random.chance(2) {
+            self.start();
+        }
         self.b.finish()
+    }
+
+    /// A start from an estimate: some of it goes into cells and rings, often long enough to be split into functions.
+    fn start(&mut self) {
+        let Self { b, random, cells, rings, .. } = self;
+        let length = random.pick(&[3, 20, 120]);
+        b.init_at(|b| {
+            let mut floats = vec![b.given(0), b.given(1)];
+            let mut truths = vec![b.vouched()];
+            b.section("from the estimate");
+            for _ in 0..length {
+                let (x, y, truth) = (random.pick(&floats), random.pick(&floats), random.pick(&truths));
+                match random.between(0, 6) {
+                    0 => truths.push(b.in_range(x, -1.0, 2.0)),
+                    1 => floats.push(b.select(truth, x, y)),
+                    2 => floats.push(b.mul(x, y)),
+                    3 => floats.push(b.add(x, y)),
+                    4 => {
+                        let (ring, len) = random.pick(rings);
+                        let slot = b.index(len - 1);
+                        b.set_ring(ring, slot, x);
+                    }
+                    5 => b.set(random.pick(&cells[..FLOAT_CELLS]), x),
+                    _ => {
+                        let (one, nine) = (b.index(1), b.index(9));
+                        let chosen = b.select(truth, one, nine);
+                        b.set(random.pick(&cells[FLOAT_CELLS..]), chosen);
+                    }
+                }
+            }
+        });
     }
 
     fn constant(&mut self) -> f64 {

@@ -11,10 +11,13 @@ use super::plant::{Hold, Truth, corpus};
 pub fn truth(name: &str) -> Option<Truth> {
     Some(match name {
         "battery" => battery(),
-        "dc_motor" | "motor_single_delay" | "motor_intermittent" | "motor_recursive" | "luenberger" => dc_motor(),
+        "dc_motor" | "motor_known_start" | "motor_single_delay" | "motor_intermittent" | "motor_recursive"
+        | "luenberger" => dc_motor(),
         "motor_continuous" => smooth_motor(),
         "differentiator" => integrators(&[2.0, 3.0, 5.0, 5.0]),
-        "differentiator_encoder" | "lossy_encoder" | "three_windows" | "hand_guided" => integrators(&[0.5, 2.0, 5.0]),
+        "differentiator_encoder" | "edge_times" | "lossy_encoder" | "three_windows" | "hand_guided" => {
+            integrators(&[0.5, 2.0, 5.0])
+        }
         "swing_up" => integrators(&[2.0, 5.0]),
         "pendulum_turning" => pendulum_turning(),
         // A ramp, whose backward differences are its derivatives.
@@ -28,7 +31,7 @@ pub fn truth(name: &str) -> Option<Truth> {
         "car_rates" => car(),
         "alpha_beta" => integrators(&[100.0, 5.0]),
         "alpha_beta_gamma" => integrators(&[0.1, 0.5, 2.0]),
-        "drive_irregular" => drive_irregular(),
+        "drive_irregular" | "bus_sensor" => drive_irregular(),
         "drive_prescribed" => drive_prescribed(),
         "fixed_time_linear" => shaker(),
         "inverted_cart" => inverted_cart(0.3),
@@ -38,8 +41,13 @@ pub fn truth(name: &str) -> Option<Truth> {
         "long_window" | "high_gain" => long_window(),
         "magnetic_levitation" => magnetic_levitation(),
         "mass_chain" => mass_chain(),
-        "oscillator" | "oscillator_kalman" | "oscillator_handover" => oscillator(),
-        "pendulum" | "pendulum_single_delay" | "pendulum_impulsive" | "pendulum_prescribed" | "kalman" => pendulum(),
+        "oscillator" | "oscillator_known_start" | "oscillator_kalman" | "oscillator_handover" => oscillator(),
+        "pendulum"
+        | "pendulum_known_start"
+        | "pendulum_single_delay"
+        | "pendulum_impulsive"
+        | "pendulum_prescribed"
+        | "kalman" => pendulum(),
         "pendulum_discrete" => pendulum_discrete(),
         "robust_exact" => swinging(),
         "small_memory" => small_memory(),

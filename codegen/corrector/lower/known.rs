@@ -115,7 +115,7 @@ impl Lowering<'_> {
             return self.integrated(&state);
         }
         let Frame::Plant { phi, .. } = &design.frame else { unreachable!("the other frame") };
-        let begin: Vec<Value> = self.cells.signals.clone().into_iter().map(|cell| self.builder.read(cell)).collect();
+        let begin = self.begun(known);
         let rows = (0..state.len()).map(|i| {
             let mut terms = Vec::new();
             self.push_products(&mut terms, &phi[i], &state);

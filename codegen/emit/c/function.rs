@@ -5,13 +5,13 @@ use super::super::plan::{Access, Function};
 use super::{C, Part};
 
 impl C<'_> {
-    /// A function that holds a part of the step.
-    pub fn part(&self, at: usize, part: &Function) -> Part {
+    /// A function that holds a part of the step or of the start.
+    pub fn part(&self, at: usize, of: &str, part: &Function) -> Part {
         let doc = match part.row {
             Some(table) => {
-                format!("Part {} of a step, for one row of {}.", at + 1, self.plan.names.prefixed_table(table))
+                format!("Part {} of {of}, for one row of {}.", at + 1, self.plan.names.prefixed_table(table))
             }
-            None => format!("Part {} of a step.", at + 1),
+            None => format!("Part {} of {of}.", at + 1),
         };
         let parameters: Vec<String> = self.parameters(part).into_iter().map(|(declared, _)| declared).collect();
         Part { doc, name: names::part(at), parameters: parameters.join(", "), lines: self.statements(part) }
@@ -28,9 +28,7 @@ impl C<'_> {
         ];
         let mut lines: Vec<String> =
             ignored.iter().filter(|(_, is)| *is).map(|(name, _)| format!("(void){name};")).collect();
-        if reach.work > Access::None {
-            lines.push(format!("{}_work work;", self.plan.names.lower));
-        }
+        lines.extend(self.own_work(step));
         lines.extend(self.statements(step));
         if !lines.is_empty() {
             lines.push(String::new());
@@ -40,6 +38,17 @@ impl C<'_> {
         }
         lines.push(format!("estimate->status = {};", self.result(program.status)));
         lines
+    }
+
+    /// The statements of the start itself.
+    pub fn start_at(&self, start: &Function) -> Vec<String> {
+        let ignored = (!start.reach.given).then(|| "(void)estimate;".to_owned());
+        ignored.into_iter().chain(self.own_work(start)).chain(self.statements(start)).collect()
+    }
+
+    /// The struct of what crosses, where a function has parts.
+    fn own_work(&self, function: &Function) -> Option<String> {
+        (function.reach.work > Access::None).then(|| format!("{}_work work;", self.plan.names.lower))
     }
 
     /// The call of a function that holds a part of the step.
@@ -67,6 +76,7 @@ impl C<'_> {
             pointer(reach.state, "state"),
             pointer(read(reach.measurements), "measurements"),
             pointer(read(reach.inputs), "inputs"),
+            pointer(read(reach.given), "estimate"),
             pointer(reach.work, "work"),
             self.plan.row_of(part).map(|_| (format!("const {} *gains", self.scalar()), "gains")),
         ];

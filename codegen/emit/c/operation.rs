@@ -35,8 +35,9 @@ impl C<'_> {
             Op::Status(status) => self.status(*status),
             Op::Neg(a) => format!("-{}", v(a)),
             Op::Not(a) => format!("!{}", v(a)),
-            Op::Add(a, b) => format!("{} + {}", v(a), v(b)),
-            Op::Sub(a, b) => format!("{} - {}", v(a), v(b)),
+            Op::Difference { a, b, bits: 16 } => format!("((({} - {}) + 32768U) & 65535U) - 32768U", v(a), v(b)),
+            Op::Add(a, b) | Op::WrapAdd(a, b) => format!("{} + {}", v(a), v(b)),
+            Op::Sub(a, b) | Op::Difference { a, b, .. } => format!("{} - {}", v(a), v(b)),
             Op::Mul(a, b) => format!("{} * {}", v(a), v(b)),
             Op::Div(a, b) => format!("{} / {}", v(a), v(b)),
             Op::Less(a, b) | Op::IndexLess(a, b) => format!("{} < {}", v(a), v(b)),
@@ -77,12 +78,11 @@ impl C<'_> {
             Op::FromFloat(x) => {
                 format!("{}_index_from_{}({})", self.plan.names.lower, self.plan.program.scalar, v(x))
             }
-            Op::WrapAdd(a, b) => format!("{} + {}", v(a), v(b)),
-            Op::Difference { a, b, bits: 16 } => format!("((({} - {}) + 32768U) & 65535U) - 32768U", v(a), v(b)),
-            Op::Difference { a, b, .. } => format!("{} - {}", v(a), v(b)),
             Op::Measurement(at) => {
                 format!("measurements->{}", self.plan.program.measurements[usize::from(*at)].name)
             }
+            Op::Given(at) => format!("estimate->{}", self.plan.program.estimates[usize::from(*at)].0.name),
+            Op::Vouched => format!("estimate->status == {}", self.status(Status::Converged)),
             Op::Count(at) => {
                 format!("(uint32_t)measurements->{}", self.plan.program.measurements[usize::from(*at)].name)
             }

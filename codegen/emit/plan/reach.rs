@@ -13,6 +13,8 @@ pub struct Reach {
     pub work: Access,
     pub measurements: bool,
     pub inputs: bool,
+    /// The estimate that a start is given.
+    pub given: bool,
 }
 
 /// How something is used.
@@ -66,6 +68,7 @@ impl<'a> Plan<'a> {
                 },
                 measurements: matches!(op, Op::Measurement(_) | Op::Count(_)),
                 inputs: matches!(op, Op::Input(_)),
+                given: matches!(op, Op::Given(_) | Op::Vouched),
                 work: Access::None,
             },
             Item::Plain(_) | Item::Loop { .. } => Reach::default(),
@@ -89,6 +92,7 @@ impl Reach {
             work: self.work.max(other.work),
             measurements: self.measurements || other.measurements,
             inputs: self.inputs || other.inputs,
+            given: self.given || other.given,
         }
     }
 }

@@ -64,6 +64,7 @@ impl<'a> Plan<'a> {
             | Op::LessEqual(..)
             | Op::InRange { .. }
             | Op::Bool(_)
+            | Op::Vouched
             | Op::And(..)
             | Op::Or(..)
             | Op::Not(_)
@@ -96,6 +97,7 @@ impl<'a> Plan<'a> {
             | Op::SignedToFloat(_)
             | Op::Measurement(_)
             | Op::Input(_)
+            | Op::Given(_)
             | Op::Lookup { .. }
             | Op::Gain { .. } => Type::Float,
         }

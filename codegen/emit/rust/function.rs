@@ -50,6 +50,31 @@ impl Rust<'_> {
         }
     }
 
+    /// The start from an estimate.
+    pub fn start_at(&self, start: &Function) -> TokenStream {
+        let ignored = (!start.reach.given).then(|| quote!(let _ = estimate;));
+        let work = (start.reach.work > Access::None).then(|| quote!(let mut work = Work::EMPTY;));
+        let statements = self.statements(&start.items);
+        let parameter = self.estimate_parameter();
+        let argument = self.estimate_argument();
+        quote! {
+            /// The state behind the call that gave an estimate: the first step is one sample time later. A status of
+            /// [`Status::Converged`] vouches for it, and the first step answers that status at once.
+            #[must_use]
+            pub fn at(estimate: Estimate) -> Self {
+                let mut observer = Self::new();
+                observer.start(#argument);
+                observer
+            }
+            /// Sets what an estimate says of the state.
+            fn start(&mut self, #parameter) {
+                #ignored
+                #work
+                #statements
+            }
+        }
+    }
+
     /// The step.
     pub fn step(&self, step: &Function) -> TokenStream {
         let program = self.plan.program;
@@ -85,20 +110,21 @@ impl Rust<'_> {
         }
     }
 
-    /// A function that holds a part of the step.
-    pub fn part(&self, at: usize, part: &Function) -> TokenStream {
+    /// A function that holds a part of the step or of the start.
+    pub fn part(&self, at: usize, of: &str, part: &Function) -> TokenStream {
         let row = self.plan.row_of(part);
         let doc = match part.row {
-            Some(table) => format!(" Part {} of a step, for one row of `{}`.", at + 1, self.plan.names.table(table)),
-            None => format!(" Part {} of a step.", at + 1),
+            Some(table) => format!(" Part {} of {of}, for one row of `{}`.", at + 1, self.plan.names.table(table)),
+            None => format!(" Part {} of {of}.", at + 1),
         };
         let name = ident(&names::part(at));
-        let Reach { state, work, measurements, inputs } = part.reach;
+        let Reach { state, work, measurements, inputs, given } = part.reach;
         let program = self.plan.program;
         let parameters = [
             self.receiver(state),
             measurements.then(|| self.struct_parameter("measurements", "Measurements", program.measurements.len())),
             inputs.then(|| self.struct_parameter("inputs", "Inputs", program.inputs.len())),
+            given.then(|| self.estimate_parameter()),
             reference(work).map(|by| quote!(work: #by Work)),
             row.map(|table| self.row_parameter(table)),
         ];
@@ -124,6 +150,11 @@ impl Rust<'_> {
     fn struct_parameter(&self, name: &str, r#type: &str, fields: usize) -> TokenStream {
         let (name, r#type) = (ident(name), ident(r#type));
         if fields * self.plan.float_bytes() <= BY_VALUE { quote!(#name: #r#type) } else { quote!(#name: &#r#type) }
+    }
+
+    /// The estimate that a start is given; its status counts as a number.
+    fn estimate_parameter(&self) -> TokenStream {
+        self.struct_parameter("estimate", "Estimate", self.plan.program.estimates.len() + 1)
     }
 
     /// The row, a narrow one by value.

@@ -11,13 +11,13 @@ use crate::program::{Cell, CellKind, Field, Kind, Scalar, literal};
 impl Rust<'_> {
     /// All items.
     pub fn items(&self) -> TokenStream {
-        let (step, parts) = self.plan.step();
         let tables = self.plan.program.read_tables().map(|(at, table)| self.table(at, table));
         let head = self.head();
         let work = self.work();
         let new = self.new_function();
-        let step = self.step(step);
-        let parts = parts.iter().enumerate().map(|(at, part)| self.part(at, part));
+        let start = self.plan.start().map(|start| self.start_at(start));
+        let step = self.step(self.plan.step());
+        let parts = self.plan.parts().map(|(at, of, part)| self.part(at, of, part));
         let implementation = self.implementation();
         quote! {
             #head
@@ -25,6 +25,7 @@ impl Rust<'_> {
             #work
             impl Observer {
                 #new
+                #start
                 #step
                 #(#parts)*
             }

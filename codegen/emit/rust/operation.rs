@@ -67,6 +67,8 @@ impl Rust<'_> {
             Op::FromFloat(x) => self.math(&format!("index_from_{}", self.plan.program.scalar), &[*x]),
             Op::WrapAdd(a, b) => self.math("wrap_add", &[*a, *b]),
             Op::Difference { a, b, bits } => self.math(&format!("difference_{bits}"), &[*a, *b]),
+            Op::Given(at) => field(&quote!(estimate), &self.plan.program.estimates[usize::from(*at)].0.name),
+            Op::Vouched => quote!(estimate.status == Status::Converged),
             Op::Count(at) => self.count(*at),
             Op::Measurement(at) => field(&quote!(measurements), &self.plan.program.measurements[usize::from(*at)].name),
             Op::Input(at) => field(&quote!(inputs), &self.plan.program.inputs[usize::from(*at)].name),

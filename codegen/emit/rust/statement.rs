@@ -119,10 +119,11 @@ impl Rust<'_> {
     fn call_part(&self, callee: usize) -> TokenStream {
         let function = &self.plan.functions[callee];
         let name = ident(&names::part(callee));
-        let Reach { state, work, measurements, inputs } = function.reach;
+        let Reach { state, work, measurements, inputs, given } = function.reach;
         let arguments = [
             measurements.then(|| self.struct_argument(&quote!(measurements), self.plan.program.measurements.len())),
             inputs.then(|| self.struct_argument(&quote!(inputs), self.plan.program.inputs.len())),
+            given.then(|| quote!(estimate)),
             work_argument(work, function.row.is_some()),
             self.plan.row_of(function).map(|table| self.row_argument(table)),
         ];
@@ -134,6 +135,11 @@ impl Rust<'_> {
     /// A struct of the interface, small ones by value.
     fn struct_argument(&self, name: &TokenStream, fields: usize) -> TokenStream {
         if fields * self.plan.float_bytes() <= BY_VALUE { name.clone() } else { quote!(&#name) }
+    }
+
+    /// The estimate that a start is given.
+    pub fn estimate_argument(&self) -> TokenStream {
+        self.struct_argument(&quote!(estimate), self.plan.program.estimates.len() + 1)
     }
 
     /// The row, a narrow one by value.

@@ -34,6 +34,10 @@ pub(super) struct Cells {
     pub(super) turn: CellId,
     /// Calls since init.
     pub(super) calls: CellId,
+    /// 1 from a given state until convergence, 2 if it was vouched for; where there is such a start.
+    pub(super) given: Option<CellId>,
+    /// Calls since the newest accepted sample, where the estimate says so.
+    pub(super) coasted: Option<CellId>,
 }
 
 /// Values of each signal that are kept; as many as a third-order polynomial needs.
@@ -107,5 +111,8 @@ pub(super) fn declare(builder: &mut Builder, plant: &Plant, design: &Impulsive) 
     let missed = missed.collect();
     let turn = builder.index_cell("turn", "calls since the last one that is measured", 0);
     let calls = builder.index_cell("calls", "calls since init", 0);
-    Cells { first, second, outputs, knowns, inputs, phase, count, clean, coasting, missed, turn, calls }
+    let doc = "1 from a given state until convergence, 2 if that was vouched for";
+    let given = plant.init_at.then(|| builder.index_cell("given", doc, 0));
+    let coasted = plant.coasted.then(|| builder.index_cell("since", "calls since a sample was accepted", 0));
+    Cells { first, second, outputs, knowns, inputs, phase, count, clean, coasting, missed, turn, calls, given, coasted }
 }

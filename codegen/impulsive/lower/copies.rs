@@ -30,7 +30,8 @@ impl Lowering<'_> {
         let outputs: Vec<Vec<Value>> =
             (0..=super::cells::KEPT).map(|age| outputs.iter().map(|ages| ages[age]).collect()).collect();
         let knowns: Vec<Vec<Value>> = (self.cells.knowns.clone().iter().zip(&sampled.knowns))
-            .map(|(kept, now)| self.by_age(*now, kept))
+            .enumerate()
+            .map(|(s, (kept, now))| self.known_by_age(s, *now, kept))
             .collect();
         let design = self.design;
         let mut carried = [Vec::new(), Vec::new()];
@@ -71,6 +72,6 @@ impl Lowering<'_> {
         }
         let wild = self.builder.not(sane);
         let wild = self.builder.and(full, wild);
-        Copies { after, full, phase, wild }
+        Copies { after, full, phase, wild, carried: first }
     }
 }

@@ -11,6 +11,8 @@ pub(super) struct Counted {
     pub(super) starting: Value,
     /// Whether the estimate has converged.
     pub(super) converged: Value,
+    /// Whether there is one.
+    pub(super) known: Value,
     /// Whether no replaced sample is in it.
     pub(super) clean: Value,
 }
@@ -48,7 +50,7 @@ impl Lowering<'_> {
         let starting = self.builder.index_less(count, last_start);
         let below = self.builder.index(full_count(self.design) - 1);
         let converged = self.builder.index_less(below, count);
-        Counted { starting, converged, clean }
+        Counted { starting, converged, known: converged, clean }
     }
 
     /// Whether no replaced sample is in the estimate.

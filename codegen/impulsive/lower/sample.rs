@@ -30,6 +30,7 @@ impl<'a> Lowering<'a> {
         self.builder.section("samples: outside its range, infinite or NaN means missing");
         let due = self.due();
         let converged = self.was_converged();
+        let converged = self.or_given(converged);
         let count = self.plant.outputs.len();
         let read: Vec<(Value, Value)> = (0..count).map(|o| self.read_output(o, due)).collect();
         let last: Vec<Value> = self.cells.outputs.iter().map(|kept| self.builder.read(kept[0])).collect();
@@ -73,7 +74,20 @@ impl<'a> Lowering<'a> {
             outputs,
             knowns: values,
             inputs: signals.injections.inputs,
+            coasted: self.count_coasted(&good),
         }
+    }
+
+    /// Counts the calls since the newest accepted sample, where the estimate says so.
+    fn count_coasted(&mut self, good: &[Value]) -> Option<Value> {
+        let cell = self.cells.coasted?;
+        let b = &mut self.builder;
+        let any = any(b, good);
+        let (none, before) = (b.index(0), b.read(cell));
+        let more = b.count_up(before, u32::MAX);
+        let coasted = b.select(any, none, more);
+        b.set(cell, coasted);
+        Some(coasted)
     }
 
     /// Whether this call is one that is measured.
@@ -231,8 +245,8 @@ impl<'a> Lowering<'a> {
         let before: Vec<Value> =
             self.cells.outputs.clone().into_iter().map(|kept| self.builder.read(kept[0])).collect();
         let mut knowns = Vec::new();
-        for (kept, guess) in self.cells.knowns.clone().iter().zip(guesses) {
-            knowns.push(self.by_age(*guess, kept));
+        for (s, (kept, guess)) in self.cells.knowns.clone().iter().zip(guesses).enumerate() {
+            knowns.push(self.known_by_age(s, *guess, kept));
         }
         // The predictor uses the outputs of the call before alone; those of now are what it predicts.
         let outputs = [before.clone(), before];

@@ -37,12 +37,19 @@ pub(super) fn cannot(feature: Feature, plant: &Plant) -> Option<Cannot> {
         Feature::Gate if late() => {
             ("the sample is late, and no prediction of it is kept", "leave out `gate` or `delay`")
         }
-        Feature::Wrap | Feature::Gate | Feature::Every | Feature::Coasted | Feature::Ahead => return None,
+        Feature::Wrap
+        | Feature::Gate
+        | Feature::Every
+        | Feature::Age
+        | Feature::Coasted
+        | Feature::Ahead
+        | Feature::InitAt => {
+            return None;
+        }
         Feature::Counter => (
             "rows of samples that are there are solved in floats",
             "hand over floats with `quantum` and `wrap`, or leave out `missing`",
         ),
-        Feature::Age | Feature::InitAt => ("it is not built yet", "leave the key out"),
     };
     Some(Cannot { why, instead })
 }
@@ -78,16 +85,21 @@ impl Keys {
         condition: f64,
     ) -> Result<Design, Vec<Diagnostic>> {
         self.refuse_what_a_solve_cannot()?;
+        refuse_work(plant, signals.len(), steps, &self.windows[0].span())?;
         let delays = pattern.delays().to_vec();
         let (mut functional, exact, mut numerics) = settle(plant, signals, &delays, steps, &Choice::LeastSquares)?;
         numerics.condition = condition;
         let mut irregular = irregular::design(plant, signals, steps, pattern)?;
-        refuse_work(&irregular, &self.windows[0].span())?;
         let certified = certify(plant, &functional, &irregular, &exact);
         let certified = certified.filter(|_| irregular.pivot >= 16.0 * irregular::limit(plant));
-        let Some((certificate, phases)) = certified else {
+        let Some((mut certificate, phases)) = certified else {
             return Err(vec![hardly_determined(plant, &irregular, &self.windows[0].span())]);
         };
+        let aged = irregular.ages.iter().any(Option::is_some);
+        if aged {
+            // Other times of samples may cost more.
+            certificate.error_bound = vec![None; plant.states.len()];
+        }
         if phases.len() > 1 {
             irregular.phases = phases;
         }
@@ -109,7 +121,7 @@ impl Keys {
             realizations: Vec::new(),
             notes,
             constants: constants(&exact.model),
-            fir: regular.then(|| fir(plant, &functional)),
+            fir: (regular && !aged).then(|| fir(plant, &functional)),
             certificate,
             numerics,
             warnings: time_warning(plant).into_iter().chain(resolution_warnings(plant)).collect(),
@@ -149,16 +161,18 @@ impl Keys {
 }
 
 /// Refuses a step that does more than a small processor can.
-fn refuse_work(irregular: &Irregular, window: &Range<usize>) -> Result<(), Vec<Diagnostic>> {
-    let (operations, rows) = (irregular.operations(), irregular.rows.len());
+fn refuse_work(plant: &Plant, signals: usize, steps: usize, window: &Range<usize>) -> Result<(), Vec<Diagnostic>> {
+    let (n, rows) = (plant.states.len(), steps + 1);
+    let row = irregular::operations(n, plant.outputs.len(), signals);
+    let operations = rows * row;
     if operations <= MOST_OPERATIONS {
         return Ok(());
     }
     let message = "leaving samples out takes too many operations a call";
-    let most = MOST_OPERATIONS * rows / operations;
     let error = Diagnostic::error(codes::WINDOW_TOO_LONG, window.clone(), message)
-        .label(format!("{operations} for {rows} samples; at most {MOST_OPERATIONS} are generated"))
+        .label(format!("up to {operations} for {rows} samples; at most {MOST_OPERATIONS} are generated"))
         .measured(count(operations));
+    let most = MOST_OPERATIONS / row;
     let help = format!("a window of at most {most} samples, a longer sample time, or `missing = \"predicted\"`");
     Err(vec![error.help(help)])
 }
@@ -184,6 +198,9 @@ fn notes(irregular: &Irregular, steps: usize) -> Vec<String> {
             .to_owned(),
         "where those that are there do not determine the state, the model's prediction stands in (COASTING)".to_owned(),
     ];
+    if irregular.ages.iter().any(Option::is_some) {
+        notes.push("each sample counts at its own time; the gains are of samples of age 0".to_owned());
+    }
     let period = irregular.phases.len();
     if period > 1 {
         notes.push(format!(

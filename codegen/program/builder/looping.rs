@@ -15,6 +15,7 @@ impl Builder {
         body: impl FnOnce(&mut Self, &[Value]) -> Vec<Value>,
     ) -> Vec<Value> {
         assert!(self.row.is_none(), "a loop inside a loop");
+        assert!(self.scope == TOP, "a loop in a start");
         self.require("loop", self.context().table(table).map(|_| ()));
         let values: Vec<Value> = starts.iter().map(|start| self.name(self.type_of(*start), None)).collect();
 

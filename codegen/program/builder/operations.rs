@@ -154,6 +154,16 @@ impl Builder {
         self.push(Op::Count(field))
     }
 
+    /// A field of the estimate that a start is given; only in [`Builder::init_at`].
+    pub fn given(&mut self, field: u16) -> Value {
+        self.push(Op::Given(field))
+    }
+
+    /// Whether the caller vouches for that estimate.
+    pub fn vouched(&mut self) -> Value {
+        self.push(Op::Vouched)
+    }
+
     /// A measurement.
     pub fn read_measurement(&mut self, field: u16) -> Value {
         self.push(Op::Measurement(field))

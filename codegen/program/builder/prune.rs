@@ -18,6 +18,7 @@ pub(super) fn prune(program: Program) -> Program {
     let mut names = Renaming::new(&live);
     Program {
         body: names.top_level(program.body),
+        init_at: program.init_at.map(|start| names.top_level(start)),
         estimates: (program.estimates.into_iter()).map(|(field, value)| (field, names.value(value))).collect(),
         status: names.value(program.status),
         cells: kept(program.cells, &live.cells),
@@ -99,6 +100,7 @@ impl Live {
     fn of(program: &Program) -> Self {
         let mut survey = Survey::default();
         survey.add(&program.body, None);
+        survey.add(program.init_at.as_deref().unwrap_or_default(), None);
         let size = survey.origins.keys().map(|value| value.0 as usize + 1).max().unwrap_or(0);
         let mut live = Self {
             values: vec![false; size],

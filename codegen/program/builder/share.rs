@@ -35,6 +35,11 @@ impl Shared {
         Self { scopes: vec![HashMap::new()], ..Self::default() }
     }
 
+    /// The same, of a Program that has so many cells.
+    pub fn with_cells(cells: usize) -> Self {
+        Self { versions: vec![0; cells], ..Self::new() }
+    }
+
     /// A cell was declared.
     pub fn declare(&mut self) {
         self.versions.push(self.newest);
@@ -94,7 +99,7 @@ impl Shared {
             | Op::Retreat { len: number, .. }
             | Op::CountUp { max: number, .. }
             | Op::AtMost { max: number, .. } => [u64::from(number), 0],
-            Op::Measurement(field) | Op::Count(field) | Op::Input(field) => [u64::from(field), 0],
+            Op::Measurement(field) | Op::Count(field) | Op::Input(field) | Op::Given(field) => [u64::from(field), 0],
             Op::Difference { bits, .. } => [u64::from(bits), 0],
             Op::Cell(cell) | Op::Ring { ring: cell, .. } => at(cell),
             Op::Lookup { table, column, .. } => [u64::from(table.0), u64::from(column)],
@@ -116,7 +121,8 @@ impl Shared {
             | Op::ToFloat(_)
             | Op::SignedToFloat(_)
             | Op::FromFloat(_)
-            | Op::WrapAdd(..) => [0, 0],
+            | Op::WrapAdd(..)
+            | Op::Vouched => [0, 0],
         };
         Key { kind: discriminant(op), operands: op.operands(), constants }
     }

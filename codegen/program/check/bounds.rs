@@ -12,6 +12,7 @@ use super::{At, CheckError, Flaw};
 /// Whether every slot and row is below its end. The Program's types are known to be right.
 pub(super) fn check(program: &Program) -> Result<(), CheckError> {
     let mut bounds = Bounds { program, known: HashMap::new() };
+    bounds.body(program.init_at.as_deref().unwrap_or_default())?;
     bounds.body(&program.body)
 }
 

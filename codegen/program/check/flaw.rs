@@ -83,6 +83,12 @@ pub enum Flaw {
     },
     /// A gain is read outside of a loop.
     GainOutsideLoop,
+    /// The estimate that a start is given is read in a step.
+    NotAStart,
+    /// A measurement or input is read in a start.
+    NoSample,
+    /// A loop stands in a start.
+    LoopInStart,
     /// A loop stands in a loop.
     NestedLoop,
     /// A heading stands in a loop.
@@ -142,6 +148,9 @@ impl fmt::Display for Flaw {
                 write!(f, "table {at} has no column {column}")
             }
             Self::GainOutsideLoop => write!(f, "a gain outside of a loop"),
+            Self::NotAStart => write!(f, "a step is not given an estimate"),
+            Self::NoSample => write!(f, "a start has no measurement and no input"),
+            Self::LoopInStart => write!(f, "a loop in a start"),
             Self::NestedLoop => write!(f, "a loop inside a loop"),
             Self::SectionInLoop => write!(f, "a section inside a loop"),
             Self::NextNotInBody(value) => write!(f, "{value} is not defined in the loop's body"),

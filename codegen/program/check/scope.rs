@@ -8,7 +8,13 @@ use super::{At, CheckError, Flaw};
 
 /// Whether the statements, the estimates and the status use values as they are defined.
 pub(super) fn check(program: &Program) -> Result<(), CheckError> {
-    let mut scope = Scope { program, types: HashMap::new(), hidden: HashSet::new() };
+    let mut scope = Scope { program, types: HashMap::new(), hidden: HashSet::new(), starting: false };
+    if let Some(start) = &program.init_at {
+        scope.starting = true;
+        scope.body(start, None)?;
+        scope.starting = false;
+        scope.hidden.extend(scope.types.keys().copied());
+    }
     scope.body(&program.body, None)?;
     for (field, value) in &program.estimates {
         let r#type = if field.kind == Kind::Index { Type::Index } else { Type::Float };
@@ -21,8 +27,10 @@ pub(super) fn check(program: &Program) -> Result<(), CheckError> {
 struct Scope<'a> {
     program: &'a Program,
     types: HashMap<Value, Type>,
-    /// Values of loops that have ended.
+    /// Values of loops that have ended, and of the start.
     hidden: HashSet<Value>,
+    /// Whether the statements are those of the start.
+    starting: bool,
 }
 
 impl Scope<'_> {
@@ -30,6 +38,7 @@ impl Scope<'_> {
     fn body(&mut self, body: &[Statement], row: Option<TableId>) -> Result<(), CheckError> {
         for statement in body {
             match statement {
+                Statement::Loop(_) if self.starting => Err(Flaw::LoopInStart).at(self.program, statement)?,
                 Statement::Loop(inner) if row.is_none() => self.enter(inner, statement)?,
                 _ => self.statement(statement, row).at(self.program, statement)?,
             }
@@ -39,7 +48,7 @@ impl Scope<'_> {
 
     /// A statement that is not a loop.
     fn statement(&mut self, statement: &Statement, row: Option<TableId>) -> Result<(), Flaw> {
-        let context = Context::of(self.program, row);
+        let context = if self.starting { Context::starting(self.program) } else { Context::of(self.program, row) };
         match statement {
             Statement::Section(_) if row.is_some() => Err(Flaw::SectionInLoop),
             Statement::Section(text) => super::interface::one_line(text),

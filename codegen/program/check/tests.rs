@@ -372,3 +372,34 @@ fn counts() {
     assert_eq!(cell(3, u32::MAX, 32), Ok(()));
     assert_eq!(cell(3, 0, 64), Err(Flaw::Width(64)));
 }
+
+/// Claim: a start has the estimate and no samples, a step the other way round; neither sees the other's values.
+#[test]
+fn starts() {
+    let start = |statements: Vec<Statement>| {
+        let mut program = sound();
+        program.init_at = Some(statements);
+        check(&program).map_err(|error| error.flaw)
+    };
+    let (value, cell) = (Value(100), CellId(0));
+    let given = |at| Statement::Let { value, op: Op::Given(at) };
+    let with = |op: Op| start(vec![Statement::Let { value, op }]);
+    assert_eq!(start(vec![given(0), Statement::SetCell { cell, value }]), Ok(()));
+    assert_eq!(with(Op::Given(1)), Err(Flaw::NoSuchField(1)));
+    assert_eq!(with(Op::Measurement(0)), Err(Flaw::NoSample));
+    assert_eq!(with(Op::Input(0)), Err(Flaw::NoSample));
+    assert_eq!(flaw_of(Op::Given(0)), Flaw::NotAStart);
+    assert_eq!(flaw_of(Op::Vouched), Flaw::NotAStart);
+    let float = any(Type::Float);
+    assert_eq!(with(Op::Neg(float)), Err(Flaw::Undefined(float)));
+    let mut program = sound();
+    program.init_at = Some(vec![given(0)]);
+    program.body.push(Statement::Let { value: Value(101), op: Op::Neg(value) });
+    assert_eq!(check(&program).map_err(|error| error.flaw), Err(Flaw::Undefined(value)));
+    let inner = Statement::Loop(Loop { table: TableId(0), carried: vec![], body: vec![] });
+    assert_eq!(start(vec![inner]), Err(Flaw::LoopInStart));
+    let beyond = Flaw::OutOfBounds { value, at_most: 3, len: 3 };
+    let set = Statement::SetRing { ring: CellId(2), slot: value, value: Value(101) };
+    let one = Statement::Let { value: Value(101), op: Op::Float(1.0) };
+    assert_eq!(start(vec![Statement::Let { value, op: Op::Index(3) }, one, set]), Err(beyond));
+}

@@ -14,6 +14,10 @@ pub(in super::super) struct Context<'a> {
     pub measurements: &'a [Field],
     /// How many.
     pub inputs: usize,
+    /// What the estimate has.
+    pub estimates: &'a [(Field, Value)],
+    /// Whether it is in [`Program::init_at`].
+    pub starting: bool,
     /// The Program's.
     pub cells: &'a [Cell],
     /// The Program's.
@@ -29,10 +33,17 @@ impl<'a> Context<'a> {
             scalar: program.scalar,
             measurements: &program.measurements,
             inputs: program.inputs.len(),
+            estimates: &program.estimates,
+            starting: false,
             cells: &program.cells,
             tables: &program.tables,
             row,
         }
+    }
+
+    /// Of a statement in [`Program::init_at`].
+    pub fn starting(program: &'a Program) -> Self {
+        Self { starting: true, ..Self::of(program, None) }
     }
 
     /// The type of the operation's result.
@@ -63,9 +74,10 @@ impl<'a> Context<'a> {
             | Op::Call(..)
             | Op::Measurement(_)
             | Op::Input(_)
+            | Op::Given(_)
             | Op::Gain { .. } => (Type::Float, Type::Float),
             Op::Less(..) | Op::LessEqual(..) | Op::InRange { .. } => (Type::Float, Type::Bool),
-            Op::Bool(_) | Op::And(..) | Op::Or(..) | Op::Not(_) => (Type::Bool, Type::Bool),
+            Op::Bool(_) | Op::Vouched | Op::And(..) | Op::Or(..) | Op::Not(_) => (Type::Bool, Type::Bool),
             Op::Status(_) | Op::Select { .. } => (Type::Status, Type::Status),
             Op::Index(_)
             | Op::Advance { .. }
@@ -97,6 +109,13 @@ impl<'a> Context<'a> {
                 Err(Flaw::Arity { function, given: arguments.len() })
             }
             Op::Advance { len: 0, .. } | Op::Retreat { len: 0, .. } => Err(Flaw::EmptyRing),
+            Op::Given(_) | Op::Vouched if !self.starting => Err(Flaw::NotAStart),
+            Op::Measurement(_) | Op::Count(_) | Op::Input(_) if self.starting => Err(Flaw::NoSample),
+            Op::Given(at) => match self.estimates.get(usize::from(at)) {
+                Some((field, _)) if field.kind == Kind::Float => Ok(()),
+                Some(_) => Err(Flaw::WrongField(at)),
+                None => Err(Flaw::NoSuchField(at)),
+            },
             Op::Measurement(at) => self.field(at, |kind| kind == Kind::Float),
             Op::Count(at) => self.field(at, |kind| matches!(kind, Kind::Count { .. })),
             Op::Difference { bits, .. } => width(bits),

@@ -56,7 +56,9 @@ pub(super) fn stack(program: &Program) -> u64 {
 pub(super) fn flash(program: &Program) -> u64 {
     let statements: u64 = program.body.iter().map(|statement| code(statement, program.scalar)).sum();
     let returned = MOVE * (program.estimates.len() as u64 + 1);
-    tables(program) + FRAME + statements + returned
+    let start = program.init_at.as_ref();
+    let start = start.map_or(0, |it| FRAME + it.iter().map(|one| code(one, program.scalar)).sum::<u64>());
+    tables(program) + FRAME + statements + returned + start
 }
 
 /// Entering and leaving a function, and preparing what `init` sets.
@@ -86,6 +88,7 @@ fn operation(op: &Op, scalar: Scalar) -> u64 {
     let constant = u64::from(scalar.bytes());
     match op {
         Op::Float(_) => MOVE + constant,
+        Op::Given(_) | Op::Vouched => MOVE,
         Op::Bool(_) | Op::Status(_) | Op::Index(_) | Op::Measurement(_) | Op::Count(_) | Op::Input(_) | Op::Cell(_) => {
             MOVE
         }

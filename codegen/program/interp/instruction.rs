@@ -110,6 +110,10 @@ pub(super) enum Content {
     Measurement(u16),
     /// An input.
     Input(u16),
+    /// A field of the estimate that a start is given.
+    Given(u16),
+    /// Whether the caller vouches for it.
+    Vouched,
 }
 
 /// A register before it has a number.

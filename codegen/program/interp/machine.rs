@@ -1,5 +1,7 @@
 //! A Program ready to run: its code, its constants in their places, its cells at their start.
 
+use std::ops::Range;
+
 use super::super::{CellId, CellKind, Kind, Program, Status};
 use super::allocate::{Code, allocate};
 use super::arithmetic::{Number, counted};
@@ -13,6 +15,8 @@ pub(super) struct Machine<F> {
     code: Code,
     measurements: Vec<(Kind, u16)>,
     inputs: Vec<u16>,
+    /// How many stages of the code are the start.
+    start: usize,
     tables: Vec<Rows<F>>,
     memory: Memory<F>,
 }
@@ -56,6 +60,7 @@ impl<F: Number> Machine<F> {
                 .map(|(at, field)| (field.kind, register(class_of(field.kind), Content::Measurement(at))))
                 .collect(),
             inputs: inputs.map(|(at, _)| register(Class::Float, Content::Input(at))).collect(),
+            start: usize::from(program.init_at.is_some()),
             code,
             tables,
             memory,
@@ -138,17 +143,7 @@ impl<F: Number> Machine<F> {
         for (x, register) in inputs.iter().zip(&self.inputs) {
             self.memory.floats[usize::from(*register)] = F::from_f64(*x);
         }
-        for stage in &self.code.stages {
-            match stage.rows_of {
-                None => self.memory.execute(&stage.runs, &self.code.operands, &self.tables, &[]),
-                Some(table) => {
-                    let table = &self.tables[usize::from(table.0)];
-                    for row in table.elements.chunks_exact(table.columns) {
-                        self.memory.execute(&stage.runs, &self.code.operands, &self.tables, row);
-                    }
-                }
-            }
-        }
+        self.execute(self.start..self.code.stages.len());
         for (estimate, (class, register)) in estimates.iter_mut().zip(&self.code.estimates) {
             *estimate = match class {
                 Class::Float => self.memory.floats[usize::from(*register)].to_f64(),
@@ -159,6 +154,35 @@ impl<F: Number> Machine<F> {
             0 => Status::Converging,
             1 => Status::Converged,
             _ => Status::Coasting,
+        }
+    }
+
+    /// Gives every cell its start from an estimate.
+    pub fn start_at(&mut self, program: &Program, given: &[f64], vouched: bool) {
+        self.reset(program);
+        for (at, (x, (field, _))) in (0..=u16::MAX).zip(given.iter().zip(&program.estimates)) {
+            if field.kind == Kind::Float {
+                let register = self.register(Class::Float, Content::Given(at));
+                self.memory.floats[register] = F::from_f64(*x);
+            }
+        }
+        let register = self.register(Class::Word, Content::Vouched);
+        self.memory.words[register] = u32::from(vouched);
+        self.execute(0..self.start);
+    }
+
+    /// Executes some stages.
+    fn execute(&mut self, stages: Range<usize>) {
+        for stage in &self.code.stages[stages] {
+            match stage.rows_of {
+                None => self.memory.execute(&stage.runs, &self.code.operands, &self.tables, &[]),
+                Some(table) => {
+                    let table = &self.tables[usize::from(table.0)];
+                    for row in table.elements.chunks_exact(table.columns) {
+                        self.memory.execute(&stage.runs, &self.code.operands, &self.tables, row);
+                    }
+                }
+            }
         }
     }
 }
@@ -186,7 +210,11 @@ fn fixed(program: &Program) -> Vec<Place> {
     });
     let measurements = (0..=u16::MAX).zip(&program.measurements);
     let inputs = (0..=u16::MAX).zip(&program.inputs);
+    let given = (0..=u16::MAX).zip(&program.estimates).filter(|_| program.init_at.is_some());
+    let vouched = program.init_at.iter().map(|_| Place { class: Class::Word, content: Content::Vouched });
     cells
+        .chain(given.map(|(at, _)| float(Content::Given(at))))
+        .chain(vouched)
         .chain(measurements.map(|(at, field)| Place { class: class_of(field.kind), content: Content::Measurement(at) }))
         .chain(inputs.map(|(at, _)| float(Content::Input(at))))
         .collect()

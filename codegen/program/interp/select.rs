@@ -14,7 +14,8 @@ use self::fuse::Waiting;
 use super::super::{Carried, CellKind, Loop, Program, Statement, Value};
 use super::instruction::{Block, Class, Content, Instruction, Opcode, Operand, Place};
 
-/// The instructions of the Program, and where its estimates and its status are behind them.
+/// The instructions of the Program, those of its start in a first block of their own if it has one, and where its
+/// estimates and its status are behind them.
 pub(super) fn select(program: &Program) -> (Vec<Block>, Vec<Place>, Place) {
     let mut selection = Selection {
         program,
@@ -24,6 +25,11 @@ pub(super) fn select(program: &Program) -> (Vec<Block>, Vec<Place>, Place) {
         block: vec![],
         blocks: vec![],
     };
+    if let Some(start) = &program.init_at {
+        selection.body(start);
+        let start = mem::take(&mut selection.block);
+        selection.blocks.push(Block::Once(start));
+    }
     selection.body(&program.body);
     let estimates = program.estimates.iter().map(|(_, value)| selection.place(*value)).collect();
     let status = selection.place(program.status);
@@ -51,6 +57,7 @@ fn uses(program: &Program) -> HashMap<Value, u32> {
     let mut seen: Vec<Value> = program.estimates.iter().map(|(_, value)| *value).collect();
     seen.push(program.status);
     count(&program.body, &mut seen);
+    count(program.init_at.as_deref().unwrap_or_default(), &mut seen);
     let mut uses = HashMap::new();
     for value in seen {
         *uses.entry(value).or_default() += 1;

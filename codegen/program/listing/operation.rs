@@ -41,6 +41,11 @@ pub(super) fn text(op: &Op, program: &Program) -> String {
         Op::WrapAdd(a, b) => format!("wrap({a} + {b})"),
         Op::Difference { a, b, bits } => format!("difference{bits}({a}, {b})"),
         Op::Measurement(at) | Op::Count(at) => format!("measurement.{}", field(&program.measurements, *at)),
+        Op::Given(at) => {
+            let known = program.estimates.get(usize::from(*at));
+            known.map_or_else(|| format!("given.{at}"), |(field, _)| format!("given.{}", field.name))
+        }
+        Op::Vouched => "vouched".to_owned(),
         Op::Input(at) => format!("input.{}", field(&program.inputs, *at)),
         Op::Cell(at) => cell(*at, program),
         Op::Ring { ring, slot } => format!("{}[{slot}]", cell(*ring, program)),

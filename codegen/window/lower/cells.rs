@@ -8,7 +8,7 @@ use crate::program::{CellId, Value};
 use super::super::Functional;
 use super::count::longest_count;
 use super::irregular::Memory;
-use super::{injections, kept_len, late_len, window_len};
+use super::{injections, kept_len, late_len};
 
 /// What is kept of a sampled signal.
 #[derive(Clone, Copy, Debug)]
@@ -46,6 +46,18 @@ impl Kept {
     pub(super) fn count(self, b: &mut Builder, slot: Value) -> Option<(Value, Counts)> {
         let Self::Counts(ring, counts) = self else { return None };
         Some((b.read_ring(ring, slot), counts))
+    }
+
+    /// Keeps a value, of a counter as the nearest count.
+    pub(super) fn put(self, b: &mut Builder, slot: Value, value: Value) {
+        match self {
+            Self::Counts(_, counts) => {
+                let none = b.index(0);
+                let count = counts.further(b, none, value);
+                self.write(b, slot, count);
+            }
+            Self::Window(_) | Self::Newest(_) => self.write(b, slot, value),
+        }
     }
 
     /// Keeps a value that becomes the newest; of a counter, its count.
@@ -141,7 +153,7 @@ pub(super) fn declare(builder: &mut Builder, plant: &Plant, functional: &Functio
     let rejected = plant.outputs.iter().map(|output| {
         let name = &output.label.name;
         let doc = format!("samples of {name} rejected in a row");
-        output.gate.as_ref().filter(|_| predicts).map(|_| builder.index_cell(&format!("rejected_{name}"), &doc, 0))
+        output.gate.as_ref().map(|_| builder.index_cell(&format!("rejected_{name}"), &doc, 0))
     });
     let rejected = rejected.collect();
     let irregular = if functional.gaps.is_some() { plant.outputs.as_slice() } else { &[] };
@@ -191,7 +203,7 @@ pub(super) fn declare(builder: &mut Builder, plant: &Plant, functional: &Functio
 }
 
 fn memory(builder: &mut Builder, plant: &Plant, functional: &Functional) -> Memory {
-    let window = window_len(functional);
+    let window = kept_len(functional);
     let present = plant.outputs.iter().map(|output| {
         let name = &output.label.name;
         builder.ring(&format!("has_{name}"), &format!("1 where there is a sample of {name}, by slot"), window, 0.0)
@@ -210,7 +222,13 @@ fn memory(builder: &mut Builder, plant: &Plant, functional: &Functional) -> Memo
     });
     let late = late.collect();
     let coasted = builder.index_cell("since", "calls since a sample was accepted", 0);
-    Memory { present, next, known, late, coasted }
+    let ages = plant.outputs.iter().map(|output| {
+        let name = &output.label.name;
+        let (cell, doc) = (format!("age_{name}"), format!("ages of these over the oldest, of {name} by slot"));
+        output.aged.as_ref().map(|_| builder.ring(&cell, &doc, window, 0.0))
+    });
+    let ages = ages.collect();
+    Memory { present, next, known, late, coasted, ages }
 }
 
 pub(crate) fn bracketed(unit: &str) -> String {

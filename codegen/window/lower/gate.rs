@@ -23,7 +23,11 @@ impl Lowering<'_> {
         let mut again = Vec::new();
         for (o, good) in good.iter_mut().enumerate() {
             let Some(gate) = &self.plant.outputs[o].gate else { continue };
-            let known = self.had_converged(count, late_len(self.functional, o).max(1));
+            let known = if self.functional.irregular.is_some() {
+                self.known()
+            } else {
+                self.had_converged(count, late_len(self.functional, o).max(1))
+            };
             let far = self.is_far(o, gate, (distance[o], place[o]));
             let doubted = self.builder.and(known, far);
             let doubted = self.builder.and(*good, doubted);

@@ -20,6 +20,9 @@ pub enum Moment {
     Before(Value),
     /// With the samples of so many calls before, which are handed in as those of this call.
     Ago(u32),
+    /// In a start, with what a given state shows, which is handed in as the samples of this call: one call before the
+    /// first.
+    Given,
 }
 
 /// What injections are evaluated from.
@@ -206,9 +209,13 @@ impl Place<'_> {
 
     /// Calls since init times the sample time.
     fn time(&self, b: &mut Builder) -> Value {
+        if matches!(self.moment, Moment::Given) {
+            let h = self.constant(b, &self.of.plant.sample_time.0);
+            return b.neg(h);
+        }
         let calls = b.read(self.of.calls);
         let calls = match self.moment {
-            Moment::Now => calls,
+            Moment::Now | Moment::Given => calls,
             Moment::Before(_) => b.count_down(calls),
             Moment::Ago(past) => (0..*past).fold(calls, |calls, _| b.count_down(calls)),
         };
@@ -223,7 +230,7 @@ impl Place<'_> {
         let mut terms = Vec::new();
         for (o, weight) in weights {
             let sample = match self.moment {
-                Moment::Now | Moment::Ago(_) => self.outputs[*o],
+                Moment::Now | Moment::Ago(_) | Moment::Given => self.outputs[*o],
                 Moment::Before(slot) => self.kept[*o].read(b, *slot),
             };
             let weight = self.constant(b, weight);

@@ -4,17 +4,17 @@
 //! window's start, so that what a sample shows beyond that is the start's doing; rows without a sample count nothing.
 //! Where too few samples determine the state, the model's prediction from the last estimate stands in.
 
-use crate::design::Settled;
-use crate::front;
-use crate::plant::{Plant, Wrap};
-use crate::program::builder::Builder;
-use crate::program::{CellId, Scalar, Value};
+mod pass;
 
-use super::super::irregular::{Irregular, Sparse};
-use super::cells::Kept;
+use crate::front;
+use crate::program::{CellId, Value};
+
+use super::super::irregular::Irregular;
 use super::injections::round;
-use super::normal::{solve, triangle};
-use super::{Lowering, Sampled, place};
+use super::normal::solve;
+use super::{Lowering, Sampled};
+pub(super) use pass::acted;
+use pass::{Pass, predicted, row, shift};
 
 /// What the solve keeps from call to call.
 pub(super) struct Memory {
@@ -28,34 +28,8 @@ pub(super) struct Memory {
     pub(super) late: Vec<Option<CellId>>,
     /// Calls since a sample was accepted.
     pub(super) coasted: CellId,
-}
-
-/// What one pass carries.
-struct Carried {
-    normal: Vec<Value>,
-    right: Vec<Value>,
-    response: Vec<Value>,
-    /// Per output that wraps: how far it has moved since the oldest slot.
-    moved: Vec<Value>,
-    slot: Value,
-}
-
-impl Carried {
-    fn flat(&self) -> Vec<Value> {
-        let all = self.normal.iter().chain(&self.right).chain(&self.response).chain(&self.moved);
-        all.copied().chain([self.slot]).collect()
-    }
-
-    fn of(values: &[Value], n: usize) -> Self {
-        let pairs = triangle(n).len();
-        Self {
-            normal: values[..pairs].to_vec(),
-            right: values[pairs..pairs + n].to_vec(),
-            response: values[pairs + n..pairs + 2 * n].to_vec(),
-            moved: values[pairs + 2 * n..values.len() - 1].to_vec(),
-            slot: values[values.len() - 1],
-        }
-    }
+    /// Per output whose samples come with their ages: those, over the oldest; by slot.
+    pub(super) ages: Vec<Option<CellId>>,
 }
 
 /// An estimate that not every call can renew.
@@ -66,132 +40,6 @@ pub(super) struct Irregularly {
     pub(super) enough: Value,
     /// Whether it is one.
     pub(super) usable: Value,
-}
-
-/// One pass over the window.
-struct Pass<'a> {
-    irregular: &'a Irregular,
-    plant: &'a Plant,
-    scalar: Scalar,
-    len: u32,
-    outputs: &'a [Kept],
-    signals: &'a [Kept],
-    present: &'a [CellId],
-}
-
-impl Pass<'_> {
-    /// From one sample to the next: the known response.
-    fn next_interval(&self, b: &mut Builder, carried: Carried) -> Carried {
-        let slot = b.advance(carried.slot, self.len);
-        let begin: Vec<Value> = self.signals.iter().map(|kept| kept.read(b, carried.slot)).collect();
-        let end: Vec<Value> = self.signals.iter().map(|kept| kept.read(b, slot)).collect();
-        let response = (0..carried.response.len())
-            .map(|i| {
-                let kept = self.row(b, &self.irregular.phi, i, &carried.response);
-                let begun = self.column(b, &self.irregular.begin, i, &begin);
-                let ended = self.column(b, &self.irregular.end, i, &end);
-                let constant = self.irregular.constant[i].map(|c| b.float(c.value(self.scalar)));
-                let terms: Vec<Value> = [Some(kept), begun, ended, constant].into_iter().flatten().collect();
-                b.sum(&terms)
-            })
-            .collect();
-        let before = carried.slot;
-        let moved = self.turning().zip(&carried.moved).map(|((o, wrap), moved)| {
-            let (from, to) = (self.outputs[o].read(b, before), self.outputs[o].read(b, slot));
-            let step = b.sub(to, from);
-            let step = front::fold(b, step, round(&wrap.turn, self.scalar));
-            b.add(*moved, step)
-        });
-        let moved = moved.collect();
-        Carried { response, slot, moved, ..carried }
-    }
-
-    /// The outputs that wrap.
-    fn turning(&self) -> impl Iterator<Item = (usize, &Wrap)> {
-        turning(self.plant)
-    }
-
-    /// What an output showed at a slot; of one that wraps, how far it had moved.
-    fn sample(&self, b: &mut Builder, carried: &Carried, output: usize) -> Value {
-        let moved = self.turning().zip(&carried.moved).find(|((o, _), _)| *o == output);
-        moved.map_or_else(|| self.outputs[output].read(b, carried.slot), |(_, moved)| *moved)
-    }
-
-    /// Adds the samples of one slot to the normal equations.
-    fn samples(&self, b: &mut Builder, mut carried: Carried, weights: &[Vec<Value>]) -> Carried {
-        for (o, row) in weights.iter().enumerate() {
-            let present = b.read_ring(self.present[o], carried.slot);
-            let sample = self.sample(b, &carried, o);
-            let foreseen = self.row(b, &self.irregular.c, o, &carried.response);
-            let shown = b.sub(sample, foreseen);
-            let trust = b.float(self.irregular.trust[o].value(self.scalar));
-            let shown = b.mul(trust, shown);
-            let row: Vec<Value> = row.iter().map(|weight| b.mul(present, *weight)).collect();
-            for (normal, (i, j)) in carried.normal.iter_mut().zip(triangle(row.len())) {
-                let product = b.mul(row[i], row[j]);
-                *normal = b.add(*normal, product);
-            }
-            for (right, weight) in carried.right.iter_mut().zip(&row) {
-                let product = b.mul(*weight, shown);
-                *right = b.add(*right, product);
-            }
-        }
-        carried
-    }
-
-    fn row(&self, b: &mut Builder, matrix: &Sparse, i: usize, values: &[Value]) -> Value {
-        row(b, self.scalar, matrix, i, values)
-    }
-
-    fn column(&self, b: &mut Builder, effects: &Sparse, i: usize, values: &[Value]) -> Option<Value> {
-        column(b, self.scalar, effects, i, values)
-    }
-}
-
-/// The outputs that wrap.
-fn turning(plant: &Plant) -> impl Iterator<Item = (usize, &Wrap)> {
-    plant.outputs.iter().enumerate().filter_map(|(o, output)| Some((o, output.wrap.as_ref()?)))
-}
-
-/// A row of a matrix times values.
-fn row(b: &mut Builder, scalar: Scalar, matrix: &Sparse, i: usize, values: &[Value]) -> Value {
-    let mut terms = Vec::new();
-    for (weight, value) in matrix[i].iter().zip(values) {
-        if let Some(weight) = weight {
-            let weight = b.float(weight.value(scalar));
-            terms.push(b.mul(weight, *value));
-        }
-    }
-    b.sum(&terms)
-}
-
-/// What signals do to a state; `None` where nothing acts.
-fn column(b: &mut Builder, scalar: Scalar, effects: &Sparse, i: usize, values: &[Value]) -> Option<Value> {
-    let column: Sparse = vec![effects.iter().map(|effect| effect[i]).collect()];
-    column[0].iter().any(Option::is_some).then(|| row(b, scalar, &column, 0, values))
-}
-
-/// Moves a state along the direction of a turn, by so much of the output.
-fn shift(b: &mut Builder, scalar: Scalar, wrap: &Wrap, state: &mut [Value], by: Value) {
-    for (state, weight) in state.iter_mut().zip(&wrap.direction).filter(|(_, weight)| !weight.is_zero()) {
-        let weight = b.float(round(weight, scalar));
-        let moved = b.mul(weight, by);
-        *state = b.add(*state, moved);
-    }
-}
-
-/// A state as the model predicts it, from the part that the last call knew and the signals of this one.
-fn predicted(
-    b: &mut Builder,
-    irregular: &Irregular,
-    scalar: Scalar,
-    next: CellId,
-    i: usize,
-    signals: &[Value],
-) -> Value {
-    let begun = b.read(next);
-    let ended = column(b, scalar, &irregular.end, i, signals);
-    ended.map_or(begun, |ended| b.add(begun, ended))
 }
 
 impl Lowering<'_> {
@@ -215,8 +63,8 @@ impl Lowering<'_> {
         let memory = self.cells.memory.take().unwrap_or_else(|| unreachable!("declared with the solve"));
         let (scalar, len) = (self.plant.scalar, self.window());
         let plant = self.plant;
-        let pass =
-            Pass { irregular, plant, scalar, len, outputs: &outputs, signals: &signals, present: &memory.present };
+        let (present, ages) = (memory.present.as_slice(), memory.ages.as_slice());
+        let pass = Pass { irregular, plant, scalar, len, outputs: &outputs, signals: &signals, present, ages };
         let passed = self.pass(&pass, sampled.newest);
         let threshold = self.plant.scalar_value(irregular.threshold);
         let b = &mut self.builder;
@@ -236,32 +84,6 @@ impl Lowering<'_> {
         let answer = self.fall_back(&pass, &memory, sampled, (solved, enough), full);
         self.cells.memory = Some(memory);
         answer
-    }
-
-    /// Over the rows, oldest first.
-    fn pass(&mut self, pass: &Pass, newest: Value) -> Carried {
-        let (n, scalar, irregular) = (self.plant.states.len(), pass.scalar, pass.irregular);
-        let names: Vec<String> = self.plant.outputs.iter().map(|output| output.label.name.clone()).collect();
-        let b = &mut self.builder;
-        b.section("rows of the window, oldest first; those without a sample count nothing");
-        let zero = b.float(0.0);
-        let slot = b.advance(newest, pass.len);
-        let (normal, moved) = (vec![zero; triangle(n).len()], pass.turning().map(|_| zero).collect());
-        let start = Carried { normal, right: vec![zero; n], response: vec![zero; n], moved, slot };
-        let value = |weight: &Settled| weight.value(scalar);
-        let first: Vec<Vec<Value>> =
-            irregular.rows[0].iter().map(|row| row.iter().map(|weight| b.float(value(weight))).collect()).collect();
-        let start = pass.samples(b, start, &first);
-        let rows = irregular.rows[1..].iter().map(|row| row.iter().flatten().map(value).collect()).collect();
-        let columns = names.iter().flat_map(|name| (1..=n).map(move |j| format!("{name} in direction {j}")));
-        let table = b.table("ROWS", "orthonormal rows of the window, oldest first", columns.collect(), rows);
-        let after = b.loop_over(table, &start.flat(), |b, values| {
-            let carried = pass.next_interval(b, Carried::of(values, n));
-            let weights: Vec<Vec<Value>> =
-                (0..names.len()).map(|o| (0..n).map(|j| b.gain(place(o * n + j))).collect()).collect();
-            pass.samples(b, carried, &weights).flat()
-        });
-        Carried::of(&after, n)
     }
 
     /// The model's prediction where too few samples came; and what the next call needs for that.

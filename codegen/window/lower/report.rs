@@ -73,7 +73,8 @@ impl Lowering<'_> {
         let mut answer = Vec::new();
         for (i, estimate) in estimate.iter().enumerate() {
             let start = start(&mut self.builder, self.plant, i, &sampled.outputs);
-            answer.push(self.builder.select(known, *estimate, start));
+            let value = self.builder.select(known, *estimate, start);
+            answer.push(self.or_given(i, value));
         }
         if let Some(ahead) = self.ahead {
             let injections = Injections::new(self.plant, self.cells.calls, sampled.inputs.clone());
@@ -105,11 +106,13 @@ impl Lowering<'_> {
             self.builder.index_less(coasting, left)
         };
         if let Some(renewed) = standing.renewed {
+            let renewed = self.or_vouched(renewed);
             clean = self.builder.and(renewed, clean);
         }
         let statuses = [Status::Converged, Status::Coasting, Status::Converging].map(|s| self.builder.status(s));
         let working = self.builder.select(clean, statuses[0], statuses[1]);
-        let status = self.builder.select(standing.determined, working, statuses[2]);
+        let determined = self.or_vouched(standing.determined);
+        let status = self.builder.select(determined, working, statuses[2]);
         self.builder.report(status);
     }
 }

@@ -104,6 +104,7 @@ impl<'a> Lowering<'a> {
             present: Vec::new(),
             slots: Vec::new(),
             coasted,
+            ages: Vec::new(),
         }
     }
 

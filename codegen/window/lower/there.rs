@@ -7,9 +7,9 @@ use crate::program::Value;
 
 use super::super::{Part, Source};
 use super::injections::round;
-use super::irregular::Memory;
+use super::irregular::{Memory, acted};
 use super::sample::{Signals, all, any, gone};
-use super::{Lowering, Sampled};
+use super::{Lowering, Sampled, place};
 
 impl Lowering<'_> {
     /// Reads, guards and evaluates.
@@ -21,9 +21,10 @@ impl Lowering<'_> {
         let outputs = self.plant.outputs.len();
         let read = (0..outputs).map(|o| self.read_output(o)).collect();
         let mut signals = self.read_signals(before);
-        let (measured, good): (Vec<Value>, Vec<Value>) =
+        let (measured, mut good): (Vec<Value>, Vec<Value>) =
             self.without_inputs(read, &signals.injections.inputs).into_iter().unzip();
         let newest = self.builder.advance(before, window);
+        let ages = self.read_ages(&mut good);
         let feeds = self.feeds();
         let gated = self.plant.outputs.iter().any(|output| output.gate.is_some());
         let foreseen = (gated || feeds.contains(&true)).then(|| {
@@ -31,10 +32,12 @@ impl Lowering<'_> {
             self.known_before_the_samples(&mut signals, before);
             self.foresee(&signals.values, before)
         });
-        let (good, mut lost) = match &foreseen {
-            Some(state) if gated => self.accepted((&measured, &good), state),
-            _ => (good, Vec::new()),
-        };
+        let again = foreseen.as_ref().filter(|_| gated).and_then(|state| {
+            let places: Vec<Value> = (0..outputs).map(|o| self.stand_in(o, state).0).collect();
+            let distance: Vec<Value> = (0..outputs).map(|o| self.off(o, measured[o], places[o])).collect();
+            let count = self.builder.read(self.cells.count);
+            self.doubt(&distance, &places, &mut good, count)
+        });
         let (zero, one) = (self.builder.float(0.0), self.builder.float(1.0));
         let slots: Vec<(Value, Value)> = (0..outputs).map(|o| self.slot(o, before, newest)).collect();
         let used: Vec<Value> = (0..outputs)
@@ -58,11 +61,11 @@ impl Lowering<'_> {
         self.known_with_the_samples(&mut signals, before, &used);
         let Signals { injections, values, now, since } = signals;
         let values: Vec<Value> = values.into_iter().flatten().collect();
-        let (outputs, runs_away) = match foreseen {
+        let used = self.at_the_call(used, &good, &ages, (&slots, &values));
+        let (outputs, lost) = match foreseen {
             Some(_) if feeds.contains(&true) => self.settle_stand_ins(&feeds, (&measured, &good), &used, &values),
             _ => (used, Vec::new()),
         };
-        lost.extend(runs_away);
         let lost = any(&mut self.builder, &lost);
         let cell = self.plant.coasted.then(|| self.memory().coasted);
         let coasted = cell.map(|cell| self.coasted(cell, &good));
@@ -77,6 +80,7 @@ impl Lowering<'_> {
             newest_good,
             late,
             lost,
+            again,
             counts: vec![None; outputs.len()],
             outputs,
             signals: values,
@@ -84,41 +88,67 @@ impl Lowering<'_> {
             present,
             slots: slots.into_iter().map(|(_, slot)| slot).collect(),
             coasted,
-            again: None,
+            ages,
         }
     }
 
-    /// Samples that are near what the model predicts, where there is an estimate; and whether to start again, after
-    /// too many in a row that were not.
-    fn accepted(&mut self, (measured, good): (&[Value], &[Value]), state: &[Value]) -> (Vec<Value>, Vec<Value>) {
-        let plant = self.plant;
-        let known = self.known();
-        let unknown = self.builder.not(known);
-        let (mut accepted, mut lost) = (good.to_vec(), Vec::new());
-        for (o, output) in plant.outputs.iter().enumerate() {
-            let (Some(gate), Some(cell)) = (&output.gate, self.cells.rejected[o]) else { continue };
-            let size = round(&gate.size, plant.scalar);
-            let limit = gate.limit.unwrap_or(self.window() - 1).max(1);
-            let predicted = self.shown(o, state);
+    /// Per output whose samples come with their ages: that over the oldest, 0 where there is no sample; one that is too
+    /// old, or of no known age, is missing.
+    fn read_ages(&mut self, good: &mut [Value]) -> Vec<Option<Value>> {
+        let Some(irregular) = &self.functional.irregular else { return Vec::new() };
+        let (mut ages, mut field, scalar) = (Vec::new(), self.plant.outputs.len(), self.plant.scalar);
+        for (law, good) in irregular.ages.iter().zip(good) {
+            let Some(law) = law else {
+                ages.push(None);
+                continue;
+            };
             let b = &mut self.builder;
-            let off = b.sub(measured[o], predicted);
-            let off = front::folded(b, output, off, plant.scalar);
-            let near = b.in_range(off, -size, size);
-            let believed = b.or(near, unknown);
-            accepted[o] = b.and(good[o], believed);
-            let far = b.not(believed);
-            let rejected = b.and(good[o], far);
-            let (none, before) = (b.index(0), b.read(cell));
-            let more = b.count_up(before, limit);
-            let kept = b.select(accepted[o], none, before);
-            let count = b.select(rejected, more, kept);
-            let last = b.index(limit - 1);
-            let over = b.index_less(last, count);
-            let count = b.select(over, none, count);
-            b.set(cell, count);
-            lost.push(over);
+            let age = b.read_measurement(place(field));
+            field += 1;
+            let young = b.in_range(age, 0.0, law.oldest(scalar));
+            *good = b.and(*good, young);
+            if !self.functional.signals.is_empty() {
+                // Nobody says what acted on the plant before the first call.
+                let (calls, none) = (b.read(self.cells.calls), b.index(0));
+                let later = b.index_less(none, calls);
+                *good = b.and(*good, later);
+            }
+            let scale = b.float(law.scale.value(scalar));
+            let share = b.mul(age, scale);
+            let none = b.float(0.0);
+            ages.push(Some(b.select(*good, share, none)));
         }
-        (accepted, lost)
+        ages
+    }
+
+    /// How far a sample is from its place; folded where it wraps.
+    fn off(&mut self, output: usize, measured: Value, place: Value) -> Value {
+        let (plant, b) = (self.plant, &mut self.builder);
+        let off = b.sub(measured, place);
+        front::folded(b, &plant.outputs[output], off, plant.scalar)
+    }
+
+    /// Samples with an age as if nothing had acted on the plant since then.
+    fn at_the_call(
+        &mut self,
+        used: Vec<Value>,
+        good: &[Value],
+        ages: &[Option<Value>],
+        (slots, signals): (&[(Value, Value)], &[Value]),
+    ) -> Vec<Value> {
+        let Some(irregular) = &self.functional.irregular else { return used };
+        let mut moved = used;
+        for (o, age) in ages.iter().enumerate() {
+            let (Some(age), Some(law)) = (age, &irregular.ages[o]) else { continue };
+            let kept = self.cells.signals.clone();
+            let before: Vec<Value> = kept.iter().map(|kept| kept.read(&mut self.builder, slots[o].0)).collect();
+            let b = &mut self.builder;
+            if let Some(share) = acted(b, self.plant.scalar, law, *age, (&before, signals)) {
+                let sample = b.add(moved[o], share);
+                moved[o] = b.select(good[o], sample, moved[o]);
+            }
+        }
+        moved
     }
 
     /// Per output: whether a nonlinear term needs its value.
@@ -226,7 +256,7 @@ impl Lowering<'_> {
     }
 
     /// Whether the last call had an estimate.
-    fn known(&mut self) -> Value {
+    pub(super) fn known(&mut self) -> Value {
         let known = self.memory().known;
         let (known, one) = (self.builder.read(known), self.builder.index(1));
         self.builder.index_equal(known, one)

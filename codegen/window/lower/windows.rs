@@ -27,6 +27,8 @@ impl Lowering<'_> {
         self.look_ahead(&estimates[estimates.len() - 1], sampled);
         self.builder.section("the estimates, shortest window first; until one is full, the start");
         let known = full[0];
+        let determined = self.counted(count, settled(functional));
+        self.end_given(determined);
         for (place, estimate) in estimates.iter().enumerate() {
             let estimate = self.at_the_newest(estimate, sampled);
             let behind = if place == 0 { String::new() } else { format!("_{}", place + 1) };
@@ -37,7 +39,6 @@ impl Lowering<'_> {
         let field = Field { name: name.into(), unit: String::new(), doc: doc.into(), kind: Kind::Index };
         self.builder.estimate(field, converged);
         self.show_coasted(sampled);
-        let determined = self.counted(count, settled(functional));
         self.stand(&Standing { known, determined, renewed: None });
     }
 

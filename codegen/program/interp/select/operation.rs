@@ -15,6 +15,8 @@ impl Selection<'_> {
             Op::Index(number) => self.constant(value, Class::Word, u64::from(*number)),
             Op::Measurement(field) => self.alias(value, Class::Float, Content::Measurement(*field)),
             Op::Count(field) => self.alias(value, Class::Word, Content::Measurement(*field)),
+            Op::Given(field) => self.alias(value, Class::Float, Content::Given(*field)),
+            Op::Vouched => self.alias(value, Class::Word, Content::Vouched),
             Op::Input(field) => self.alias(value, Class::Float, Content::Input(*field)),
             Op::Cell(cell) => self.read(value, *cell),
             Op::Gain { column } if self.once(value) => self.wait(value, Waiting::Gain(*column)),
