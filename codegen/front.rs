@@ -48,8 +48,7 @@ pub(crate) fn read(b: &mut Builder, plant: &Plant, output: usize, range: (f64, f
     };
     if let Some(counts) = Counts::of(plant, sensor) {
         let count = b.read_count(place(output));
-        let value = counts.place(b, count);
-        return (shifted_within(b, sensor, value, scalar), good);
+        return (counts.place(b, count), good);
     }
     if has_inputs(sensor) {
         return (shifted(b, sensor, sample, scalar), good);
@@ -132,12 +131,12 @@ pub(crate) fn turns(b: &mut Builder, value: Value, turn: f64) -> Value {
 }
 
 /// How far from zero a value may be that is folded: 2^20 turns in single precision, 2^49 in double, so that the sum above
-/// keeps every whole number.
+/// keeps every whole number; and no further than can be computed with.
 pub(crate) fn farthest(turn: f64, scalar: Scalar) -> f64 {
     in_scalar(
         match scalar {
-            Scalar::F32 => turn * 1_048_576.0,
-            Scalar::F64 => turn * 562_949_953_421_312.0,
+            Scalar::F32 => (turn * 1_048_576.0).min(1e37),
+            Scalar::F64 => (turn * 562_949_953_421_312.0).min(1e307),
         },
         scalar,
     )

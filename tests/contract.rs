@@ -527,7 +527,9 @@ fn line_05_literals_read_back() {
         let program = &subject.generated.program;
         let weighted = |shape: &Shape| matches!(shape, Shape::Window(it) if !matches!(it.way, Way::Recursive(_)));
         let weighted = weighted(&subject.generated.design.shape);
-        assert!(!weighted || !program.tables.is_empty(), "{}: a window has its weights", subject.name);
+        // A short window is written out: its weights stand in the step.
+        let short = subject.generated.design.window_steps < 8;
+        assert!(!weighted || short || !program.tables.is_empty(), "{}: a window has its weights", subject.name);
         for (_, table) in program.read_tables() {
             let designed: Vec<u64> = table.rows.iter().flatten().map(|x| x.to_bits()).collect();
             let upper = format!("{}_{}[", subject.name, table.name).to_uppercase();

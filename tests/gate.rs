@@ -4,11 +4,14 @@
 
 #[path = "support/plant.rs"]
 mod plant;
+#[path = "support/truths.rs"]
+mod truths;
 
 use deadbeat_codegen::Generated;
 use deadbeat_codegen::program::interp::Interpreter;
 use deadbeat_codegen::program::{Scalar, Status};
 use plant::{corpus, designed_in, edited};
+use truths::truth;
 
 /// q and `dq_ref` by row.
 fn recording() -> Vec<(f64, f64)> {
@@ -145,6 +148,30 @@ fn missing_samples_do_not_count() {
     let coasted: Vec<f64> = answers[299..307].iter().map(|answer| answer.x[3]).collect();
     assert_eq!(coasted, [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 0.0, 0.0]);
     assert!(answers[300..].iter().all(|answer| answer.status != Status::Converging));
+}
+
+/// A step that finds unknown constants by a regression of its own has the same gate: an outlier of either output is as a
+/// sample that is not there, and nothing else is rejected.
+#[test]
+fn unknowns_are_found_behind_a_gate() {
+    let text = edited(&corpus("unknown_force"), "value = 'q', noise = 1e-4", "value = 'q', noise = 1e-4, gate = 0.05");
+    let generated = designed_in(&text, Scalar::F64);
+    let from = generated.design.valid_from_step;
+    let run = truth("unknown_force").unwrap().run(generated.plant.sample_time_s(), 1, 3 * from, 5);
+    let (mut moved, mut lost) = (run.clone(), run.clone());
+    for call in [from + 20, from + 21, from + 90] {
+        moved.measurements[call][0] += 0.3;
+        lost.measurements[call][0] = f64::NAN;
+    }
+    let fields = generated.program.estimates.len();
+    let [clean, moved, lost] = [run, moved, lost].map(|run| run.through(&generated));
+    assert!(clean.statuses[from..].iter().all(|status| *status == Status::Converged));
+    for call in 0..3 * from {
+        let bits = |x: &[f64]| x.iter().map(|x| x.to_bits()).collect::<Vec<_>>();
+        assert_eq!(bits(&moved.estimates[call]), bits(&lost.estimates[call]), "call {call}");
+        assert_eq!(clean.estimates[call][fields - 1], 0.0, "coasted, call {call}");
+    }
+    assert_eq!(moved.statuses, lost.statuses);
 }
 
 /// Before convergence every sample is believed: the window fills with what comes.

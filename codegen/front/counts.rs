@@ -15,6 +15,8 @@ pub(crate) struct Counts {
     signed: bool,
     /// One count, in the output's unit.
     quantum: f64,
+    /// What is added to a sample, with a turn, in the output's unit.
+    shift: Option<(f64, f64)>,
     /// Counts of a turn, where that is less than the counter's own range.
     turn: Option<f64>,
 }
@@ -36,7 +38,8 @@ impl Counts {
             return None;
         }
         let turn = (turn < range).then(|| in_scalar(turn, plant.scalar));
-        Some(Self { bits: counter.bits, signed: counter.signed, quantum, turn })
+        let shift = output.shift().map(|shift| (round(&shift, plant.scalar), round(&wrap.turn, plant.scalar)));
+        Some(Self { bits: counter.bits, signed: counter.signed, quantum, shift, turn })
     }
 
     /// How far the counter has come from `before` to `now`, in the output's unit, folded into half a turn.
@@ -47,7 +50,7 @@ impl Counts {
         self.in_unit(b, counts)
     }
 
-    /// Where a count is, in the output's unit, within half a turn of zero; what the sample has in it besides still is.
+    /// Where a count is, in the output's unit, within half a turn of zero.
     pub(crate) fn place(&self, b: &mut Builder, count: Value) -> Value {
         let none = b.index(0);
         let counts = match self.turn {
@@ -66,7 +69,11 @@ impl Counts {
             }
         };
         let counts = self.folded(b, counts);
-        self.in_unit(b, counts)
+        let value = self.in_unit(b, counts);
+        let Some((shift, turn)) = self.shift else { return value };
+        let shift = b.float(shift);
+        let value = b.add(value, shift);
+        fold(b, value, turn)
     }
 
     /// The count that is nearest to so much further than another.

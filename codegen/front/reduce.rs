@@ -4,7 +4,7 @@
 //! where n changes. So w stands in parts, the first with so few digits that n times them are exact (Cody and Waite,
 //! Software Manual for the Elementary Functions, 1980).
 
-use super::turns;
+use super::{in_scalar, turns};
 use crate::expr::Constant;
 use crate::program::builder::Builder;
 use crate::program::{Scalar, Value};
@@ -35,7 +35,7 @@ fn parts(turn: &Constant, scalar: Scalar) -> Vec<f64> {
     let Ok(mut rest) = turn.evaluate(Precision::bits(BITS)) else { return vec![round(turn, scalar)] };
     let mut parts = Vec::new();
     for _ in 0..count {
-        let part = cut(rest.to_f64(), digits);
+        let part = in_scalar(cut(rest.to_f64(), digits), scalar);
         parts.push(part);
         rest = &rest - &Real::from_f64(part, Precision::bits(BITS)).unwrap_or_else(|| rest.clone());
     }

@@ -23,7 +23,7 @@ use std::sync::Arc;
 use super::window::{
     constants, delays, fir, refuse_long_delays, resolution_warnings, time_warning, verdict, window_steps,
 };
-use super::{Cannot, Feature, Keyed, Method};
+use super::{Cannot, Feature, Keyed, Method, not_yet};
 use crate::design::{Convergence, Design, NamedMatrix, Numerics, Shape};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::parameters::augment::{augmented, varying, without};
@@ -130,8 +130,12 @@ impl Keyed for Keys {
         };
         match feature {
             Feature::InitAt if self.paper.is_some() && !varying(plant).is_empty() => Some(stages),
-            Feature::InitAt | Feature::Coasted => None,
-            _ => super::not_yet(feature),
+            Feature::Wrap => Some(Cannot {
+                why: "its regression is of samples, not of their differences",
+                instead: "the method `window`, with unknowns whose factors are constant as states whose derivative is '0'",
+            }),
+            Feature::Gate | Feature::InitAt | Feature::Coasted => None,
+            _ => not_yet(feature),
         }
     }
 

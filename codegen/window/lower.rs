@@ -10,6 +10,7 @@
 pub(crate) mod cells;
 mod copies;
 mod count;
+mod further;
 mod gate;
 pub(crate) mod given;
 pub(crate) mod guard;

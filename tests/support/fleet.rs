@@ -7,7 +7,7 @@
 
 use std::fmt::Write as _;
 
-use deadbeat_codegen::program::{CellKind, Field, Scalar};
+use deadbeat_codegen::program::{CellKind, Field, Kind, Scalar};
 
 use super::corpus::{Span, Subject};
 
@@ -33,6 +33,12 @@ static double number(uint64_t *seed, double centre, double amplitude)
         return (double)NAN;
     }
     return centre + amplitude * (2.0 * ((double)(bits >> 11) / 9007199254740992.0) - 1.0);
+}
+
+/* A number as a count, 64 for each unit; nothing for a missing one. */
+static int32_t count(double number)
+{
+    return (-1e6 <= number && number <= 1e6) ? (int32_t)(64.0 * number) : 0;
 }
 
 /* FNV-1a. */
@@ -213,7 +219,12 @@ fn c_fill(subject: &Subject, number: &str) -> String {
         let number = number
             .replace("CENTRE", &format!("{:?}", span.centre))
             .replace("AMPLITUDE", &format!("{:?}", span.amplitude));
-        format!("    {of}.{} = ({scalar}){number};\n", field.name)
+        match field.kind {
+            Kind::Count { bits, signed } => {
+                format!("    {of}.{} = ({}int{bits}_t)count({number});\n", field.name, if signed { "" } else { "u" })
+            }
+            Kind::Float | Kind::Index => format!("    {of}.{} = ({scalar}){number};\n", field.name),
+        }
     };
     each(subject, fill)
 }
@@ -252,6 +263,11 @@ fn number(seed: &mut u64, centre: f64, amplitude: f64) -> f64 {
         return f64::NAN;
     }
     centre + amplitude * (2.0 * ((bits >> 11) as f64 / 9_007_199_254_740_992.0) - 1.0)
+}
+
+/// A number as a count, 64 for each unit; nothing for a missing one.
+fn count(number: f64) -> i32 {
+    if (-1e6..=1e6).contains(&number) { (64.0 * number) as i32 } else { 0 }
 }
 
 fn mix(hash: &mut u64, bytes: &[u8]) {
@@ -319,7 +335,13 @@ fn run<O: Observer + Default + Copy>(
                 if which != of {
                     return String::new();
                 }
-                format!("{}: number(seed, {:?}, {:?}){narrowed}, ", field.name, span.centre, span.amplitude)
+                let number = format!("number(seed, {:?}, {:?})", span.centre, span.amplitude);
+                match field.kind {
+                    Kind::Count { bits, signed } => {
+                        format!("{}: count({number}) as {}{bits}, ", field.name, if signed { "i" } else { "u" })
+                    }
+                    Kind::Float | Kind::Index => format!("{}: {number}{narrowed}, ", field.name),
+                }
             })
         };
         let inputs = if program.inputs.is_empty() {
@@ -398,7 +420,11 @@ fn c_abuse(subject: &Subject, phase: usize) -> String {
                 field.name, span.centre, span.amplitude
             )
         };
-        if of == "measurements" {
+        if let Kind::Count { bits, signed } = field.kind {
+            // It has no bits but counts, and cannot be gone.
+            let sign = if signed { "" } else { "u" };
+            format!("        {of}.{} = ({sign}int{bits}_t)draw(&seed);\n", field.name)
+        } else if of == "measurements" {
             format!(
                 "        {}        if (gone && step > {}) {{ {of}.{} = ({scalar})NAN; }}\n",
                 line("(gone ? 0 : step)"),
@@ -409,7 +435,9 @@ fn c_abuse(subject: &Subject, phase: usize) -> String {
             format!("        {}", line("(gone ? 0 : step)"))
         }
     });
-    let mut checks = estimates(subject, |name| format!("        fine = fine && isfinite(estimate.{name});\n"));
+    let floats = program.estimates.iter().filter(|(field, _)| field.kind == Kind::Float);
+    let mut checks: String =
+        floats.map(|(field, _)| format!("        fine = fine && isfinite(estimate.{});\n", field.name)).collect();
     for cell in &program.cells {
         match cell.kind {
             CellKind::Float { .. } => drop(writeln!(checks, "        fine = fine && isfinite(state.{});", cell.name)),

@@ -117,10 +117,15 @@ fn output_range(plant: &Plant, output: &Output, bound: f64, found: &mut Vec<Diag
         (None, None) => return (-bound, bound),
     };
     if !(low >= -bound && high <= bound) {
-        let message = format!("the range of `{}` is wider than can be computed with", output.label.name);
-        let error = Diagnostic::error(codes::OUT_OF_RANGE, output.range_span.clone(), message);
-        let largest = format!("at most ±{bound:.0e} in {}", plant.scalar);
-        found.push(error.label(largest).help("narrow the range to what the sensor can show"));
+        let (span, what, help) = match &output.wrap {
+            Some(wrap) => {
+                (wrap.span.clone(), "a turn", "write the output, and the states that it shows, in a larger unit")
+            }
+            None => (output.range_span.clone(), "the range", "narrow the range to what the sensor can show"),
+        };
+        let message = format!("{what} of `{}` is wider than can be computed with", output.label.name);
+        let error = Diagnostic::error(codes::OUT_OF_RANGE, span, message);
+        found.push(error.label(format!("at most ±{bound:.0e} in {}", plant.scalar)).help(help));
     }
     (low, high)
 }

@@ -2,7 +2,7 @@
 
 use crate::diagnostic::{Diagnostic, codes};
 use crate::expr::{Constant, Function, Node, NodeKind, Poly, Symbol};
-use crate::plant::Plant;
+use crate::plant::{Output, Plant};
 use crate::program::builder::Builder;
 use crate::program::{self, CellId, Scalar, Value};
 use crate::real::Precision;
@@ -88,8 +88,30 @@ pub fn check(plant: &Plant) -> Result<(), Vec<Diagnostic>> {
         refuse(&state.initial, &state.label.span);
         state.measured.iter().for_each(|(_, weight)| refuse(weight, &state.label.span));
     }
+    for output in &plant.outputs {
+        let turn = output.wrap.as_ref().map(|wrap| &wrap.turn);
+        let gate = output.gate.as_ref().map(|gate| &gate.size);
+        let shift = output.shift();
+        let all = [turn, gate, output.quantum.as_ref(), shift.as_ref()].into_iter().flatten();
+        all.chain(&output.feedthrough).for_each(|constant| refuse(constant, &output.label.span));
+    }
     refuse(&plant.sample_time.0, &plant.sample_time.1);
+    found.extend(plant.outputs.iter().filter_map(|output| lost_in_division(plant, output)));
     if found.is_empty() { Ok(()) } else { Err(found) }
+}
+
+/// Refuses a turn, or one count, whose reciprocal the target's floats cannot hold.
+fn lost_in_division(plant: &Plant, output: &Output) -> Option<Diagnostic> {
+    let turn = output.wrap.as_ref().map(|wrap| (&wrap.turn, "turn"));
+    let count = output.quantum.as_ref().map(|quantum| (quantum, "count"));
+    let (size, what) = turn.into_iter().chain(count).find(|(size, _)| {
+        let reciprocal = plant.scalar_value(1.0 / round(size, plant.scalar));
+        !reciprocal.is_finite()
+    })?;
+    let size = size.to_f64().unwrap_or(0.0);
+    let message = format!("one {what} of `{}` is too small for {}", output.label.name, plant.scalar);
+    let error = Diagnostic::error(codes::OUT_OF_RANGE, output.label.span.clone(), message).measured(size);
+    Some(error.label(format!("it is {size:e}")).help("give the output, and the states that it shows, a smaller unit"))
 }
 
 /// Visits the constants that the evaluation of a node will carry.
