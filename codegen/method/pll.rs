@@ -5,7 +5,7 @@
 //! beta = ki h^2.
 //!
 //! **Source.** Gardner 2005, "Phaselock Techniques", chapter 2, for the loop of second order; in this sampled form
-//! what motor drives ship (ODrive, moteus, Tinymovr, VESC).
+//! what motor drives ship (`ODrive`, moteus, Tinymovr, VESC).
 //!
 //! **Conditions.** One output without delay; kp h below 1, as drives demand: a sample never pulls the position past it.
 
