@@ -79,6 +79,11 @@ pub trait Keyed: Debug + Send + Sync {
         None
     }
 
+    /// The key that stands for the plant; `None` where the method itself does.
+    fn chain_key(&self) -> Option<&'static str> {
+        Some("order")
+    }
+
     /// What to write in a file that declares a plant and gives `order` too.
     fn instead_of_chain(&self) -> &'static str {
         "leave out `order`"

@@ -125,7 +125,7 @@ impl Cells {
         let phase = b.index_cell("phase", "calls since every output was due", 0);
         let due = rates::cells(b, plant);
         let given = plant.init_at.then(|| b.index_cell("given", "1 from a given state until the first good call", 0));
-        Self { state, left, good, clean, outputs, signals, inputs, calls, rejected, coasted, phase, due, given }
+        Self { state, left, good, clean, outputs, signals, inputs, calls, rejected, coasted, given, phase, due }
     }
 }
 

@@ -66,6 +66,10 @@ impl Keyed for Keys {
         Some(2)
     }
 
+    fn chain_key(&self) -> Option<&'static str> {
+        None
+    }
+
     fn instead_of_chain(&self) -> &'static str {
         "`[observer.window]` takes a plant of your own"
     }

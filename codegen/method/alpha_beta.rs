@@ -84,6 +84,10 @@ impl Keyed for Keys {
         Some(self.order)
     }
 
+    fn chain_key(&self) -> Option<&'static str> {
+        None
+    }
+
     fn instead_of_chain(&self) -> &'static str {
         "`[observer.luenberger]` and `[observer.kalman]` have a constant gain for a plant of your own"
     }

@@ -3,8 +3,8 @@
 //! **Idea.** With each change of the signal a new quotient, the change over the time since the change before; held until
 //! the next, and filtered at every call: `v = a v + (1 - a) q`, `a = T / (T + h)`.
 //!
-//! **Source.** What open motor controllers ship (SimpleFOC's `Sensor` and `LowPassFilter`), in own words: nothing of it is
-//! theirs but the formula. See [`crate::baseline`].
+//! **Source.** What open motor controllers ship (`SimpleFOC`'s `Sensor` and `LowPassFilter`), in own words: nothing of it
+//! is theirs but the formula. See [`crate::baseline`].
 //!
 //! **Conditions.** One output without delay. No certificate: the formula is not linear in the samples.
 
@@ -55,6 +55,10 @@ fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
 impl Keyed for Keys {
     fn chain(&self) -> Option<usize> {
         Some(2)
+    }
+
+    fn chain_key(&self) -> Option<&'static str> {
+        None
     }
 
     fn instead_of_chain(&self) -> &'static str {

@@ -5,7 +5,7 @@
 //! beta = ki h^2.
 //!
 //! **Source.** Gardner 2005, "Phaselock Techniques", chapter 2, for the loop of second order; in this sampled form
-//! what motor drives ship (ODrive, moteus, Tinymovr, VESC).
+//! what motor drives ship (`ODrive`, moteus, Tinymovr, VESC).
 //!
 //! **Conditions.** One output without delay; kp h below 1, as drives demand: a sample never pulls the position past it.
 
@@ -53,6 +53,10 @@ fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
 impl Keyed for Keys {
     fn chain(&self) -> Option<usize> {
         Some(2)
+    }
+
+    fn chain_key(&self) -> Option<&'static str> {
+        None
     }
 
     fn instead_of_chain(&self) -> &'static str {
