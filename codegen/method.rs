@@ -102,17 +102,10 @@ pub trait Keyed: Debug + Send + Sync {
     }
 
     /// Why something that a specification asks for cannot be done for this plant.
-    fn cannot(&self, feature: Feature, _plant: &Plant) -> Option<Cannot> {
-        not_yet(feature)
-    }
+    fn cannot(&self, feature: Feature, plant: &Plant) -> Option<Cannot>;
 
     /// Designs the observer for a plant, or says everything that stands against it.
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>>;
-}
-
-/// What no method can do unless it says so.
-fn not_yet(feature: Feature) -> Option<Cannot> {
-    (feature != Feature::Ahead).then_some(Cannot { why: "it is not built yet", instead: "leave the key out" })
 }
 
 /// An observer with changing gains at one step.

@@ -123,10 +123,22 @@ const DIGITS_LEFT: f64 = 1e2;
 
 impl Keyed for Keys {
     fn cannot(&self, feature: Feature, _plant: &Plant) -> Option<Cannot> {
-        match feature {
-            Feature::InitAt | Feature::Coasted => None,
-            _ => super::not_yet(feature),
-        }
+        let (why, instead) = match feature {
+            Feature::Ahead | Feature::InitAt | Feature::Coasted => return None,
+            Feature::Wrap | Feature::Counter => (
+                "its two copies are of the outputs themselves, not of differences",
+                "use `window`, or a method that predicts and corrects",
+            ),
+            Feature::Gate => (
+                "what a wrong rejection leaves in its two copies until the reset is not known",
+                "use `window`, or a method that predicts and corrects",
+            ),
+            Feature::Every => ("its calls are counted in its own table", "write `measured_every` there"),
+            Feature::Age => {
+                ("its resets are of samples taken at the calls", "use `window`, which takes samples of any age")
+            }
+        };
+        Some(Cannot { why, instead })
     }
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {

@@ -23,7 +23,7 @@ use std::sync::Arc;
 use super::window::{
     constants, delays, fir, refuse_long_delays, resolution_warnings, time_warning, verdict, window_steps,
 };
-use super::{Cannot, Feature, Keyed, Method, not_yet};
+use super::{Cannot, Feature, Keyed, Method};
 use crate::design::{Convergence, Design, NamedMatrix, Numerics, Shape};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::parameters::augment::{augmented, varying, without};
@@ -134,8 +134,19 @@ impl Keyed for Keys {
                 why: "its regression is of samples, not of their differences",
                 instead: "the method `window`, with unknowns whose factors are constant as states whose derivative is '0'",
             }),
-            Feature::Gate | Feature::InitAt | Feature::Coasted => None,
-            _ => not_yet(feature),
+            Feature::Counter => Some(Cannot {
+                why: "its regression is of samples in floats",
+                instead: "hand over floats, and write what one count is as `quantum`",
+            }),
+            Feature::Every | Feature::Age => Some(Cannot {
+                why: "its window takes a sample of every output at every call",
+                instead: "the method `window`, with unknowns whose factors are constant as states whose derivative is '0'",
+            }),
+            Feature::Ahead if !varying(plant).is_empty() => Some(Cannot {
+                why: "the factor of an unknown varies, and nothing says how it goes on",
+                instead: "leave it out, and carry the estimate on where the factor is known",
+            }),
+            Feature::Ahead | Feature::Gate | Feature::InitAt | Feature::Coasted => None,
         }
     }
 

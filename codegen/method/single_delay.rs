@@ -28,7 +28,7 @@ use std::sync::Arc;
 use super::window::{
     check_hold, fir, read_hold, refuse_unknowns, resolution_warnings, sensor_notes, time_warning, verdict, window_steps,
 };
-use super::{Cannot, Feature, Keyed, Method, not_yet};
+use super::{Cannot, Feature, Keyed, Method};
 use crate::decimal::show;
 use crate::describe::short;
 use crate::design::{Design, Shape};
@@ -133,7 +133,14 @@ impl Keyed for Keys {
             Feature::Wrap | Feature::Counter | Feature::Gate | Feature::Coasted | Feature::Ahead | Feature::InitAt => {
                 None
             }
-            _ => not_yet(feature),
+            Feature::Every => Some(Cannot {
+                why: "it takes the newest sample and the one a window before",
+                instead: "its key `intermittent`, or the method `window`",
+            }),
+            Feature::Age => Some(Cannot {
+                why: "its two samples are a window apart",
+                instead: "the method `window`, which takes samples of any age",
+            }),
         }
     }
 

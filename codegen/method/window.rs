@@ -124,15 +124,7 @@ impl Keyed for Keys {
     }
 
     fn cannot(&self, feature: Feature, plant: &Plant) -> Option<Cannot> {
-        if self.leaves_out(plant) {
-            return left_out::cannot(feature, plant);
-        }
-        match feature {
-            Feature::Wrap | Feature::Counter | Feature::Gate | Feature::Coasted | Feature::Ahead | Feature::InitAt => {
-                None
-            }
-            _ => super::not_yet(feature),
-        }
+        if self.leaves_out(plant) { left_out::cannot(feature, plant) } else { None }
     }
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {
