@@ -66,190 +66,208 @@ static uint32_t absolute_encoder_index_from_f32(float x)
 
 /* What one part of a step hands to the next. */
 typedef struct {
+    uint32_t t1;
     uint32_t t2;
-    float t16;
-    uint32_t t17;
-    uint32_t t74;
-    float t81;
-    uint32_t t84;
-    float t148;
-    float t149;
-    absolute_encoder_status t156;
-    int flags[5]; /* t4, t14, t61, t63, t66 */
+    uint32_t t5;
+    float t17;
+    uint32_t t18;
+    uint32_t t81;
+    float t94;
+    uint32_t t97;
+    float t161;
+    float t162;
+    absolute_encoder_status t169;
+    int flags[5]; /* t4, t15, t68, t70, t73 */
 } absolute_encoder_work;
 
 /* Part 1 of a step. */
-static void absolute_encoder_part_1(absolute_encoder_state *state, const absolute_encoder_measurements *measurements, const absolute_encoder_inputs *inputs, absolute_encoder_work *work)
+static void absolute_encoder_part_1(const absolute_encoder_state *state, const absolute_encoder_measurements *measurements, const absolute_encoder_inputs *inputs, absolute_encoder_work *work)
 {
     /* samples: outside its range, infinite or NaN means missing */
     const uint32_t t0 = state->newest;
-    const uint32_t t1 = (t0 < 20U) ? t0 : 20U;
+    work->t1 = (t0 < 20U) ? t0 : 20U;
     work->t2 = state->count;
     work->flags[0] = 20U < work->t2;
-    const uint32_t t5 = (uint32_t)measurements->y;
-    const float t13 = inputs->u;
-    work->flags[1] = (-1e35f <= t13) && (t13 <= 1e35f);
-    const float t15 = state->u[t1];
-    work->t16 = work->flags[1] ? t13 : t15;
-
-    /* prediction, for a sample that is missing */
-    work->t17 = (t1 < 20U) ? (t1 + 1U) : 0U;
-    const float t18 = state->ahead_y;
-    const float t20 = 9.98668e-6f * work->t16;
-    const float t21 = t18 + t20;
-    const uint32_t t22 = state->y[t1];
-    const float t23 = (float)t22;
-    const float t24 = t23 * 0.00024414063f;
-    const float t25 = t24 + 1.2582912e7f;
-    const float t26 = t25 - 1.2582912e7f;
-    const float t27 = t26 * 4096.0f;
-    const float t28 = t23 - t27;
-    const float t29 = 0.0015339808f * t28;
-    const float t30 = t29 + t21;
-    const float t31 = t30 * 0.15915494f;
-    const float t32 = t31 + 1.2582912e7f;
-    const float t33 = t32 - 1.2582912e7f;
-    const float t34 = t33 * 6.2831855f;
-    const float t35 = t30 - t34;
-    const uint32_t t36 = (((t5 - t22) + 32768U) & 65535U) - 32768U;
-    const float t37 = (t36 < 2147483648U) ? (float)t36 : -(float)(0U - t36);
-    const float t38 = t37 * 0.00024414063f;
-    const float t39 = t38 + 1.2582912e7f;
-    const float t40 = t39 - 1.2582912e7f;
-    const float t41 = t40 * 4096.0f;
-    const float t42 = t37 - t41;
-    const float t43 = 0.0015339808f * t42;
-    const float t44 = t43 - t21;
-    const float t45 = t44 * 0.15915494f;
-    const float t46 = t45 + 1.2582912e7f;
-    const float t47 = t46 - 1.2582912e7f;
-    const float t48 = t47 * 6.2831855f;
-    const float t49 = t44 - t48;
-    const int t50 = (-6.2831855f <= t35) && (t35 <= 6.2831855f);
-    const int t51 = (-0.05f <= t49) && (t49 <= 0.05f);
-    const int t52 = !t51;
-    const int t53 = t50 && t52;
-    const int t54 = work->flags[0] && t53;
-    const uint32_t t55 = state->rejected_y;
-    const int t57 = t55 < 19U;
-    const int t58 = t54 && t57;
-    const uint32_t t59 = (t55 < 20U) ? (t55 + 1U) : 20U;
-    const uint32_t t60 = t58 ? t59 : 0U;
-    state->rejected_y = t60;
-    work->flags[2] = !t58;
-    const int t62 = !t57;
-    work->flags[3] = t54 && t62;
-    const int t64 = work->flags[0] && t50;
-    const int t65 = work->flags[2] || t64;
-    work->flags[4] = !t65;
-    const float t68 = t21 * 651.8986f;
-    const float t69 = t68 + 1.2582912e7f;
-    const float t70 = t69 - 1.2582912e7f;
-    const uint32_t t71 = absolute_encoder_index_from_f32(t70);
-    const uint32_t t72 = t22 + t71;
-    const uint32_t t73 = t64 ? t72 : t22;
-    work->t74 = work->flags[2] ? t5 : t73;
-    const float t75 = (float)work->t74;
-    const float t76 = t75 * 0.00024414063f;
-    const float t77 = t76 + 1.2582912e7f;
-    const float t78 = t77 - 1.2582912e7f;
-    const float t79 = t78 * 4096.0f;
-    const float t80 = t75 - t79;
-    work->t81 = 0.0015339808f * t80;
-    const uint32_t t82 = state->since;
-    const uint32_t t83 = (t82 < 4294967295U) ? (t82 + 1U) : 4294967295U;
-    work->t84 = work->flags[2] ? 0U : t83;
-    state->since = work->t84;
+    work->t5 = (uint32_t)measurements->y;
+    const float t14 = inputs->u;
+    work->flags[1] = (-1e35f <= t14) && (t14 <= 1e35f);
+    const float t16 = state->u[work->t1];
+    work->t17 = work->flags[1] ? t14 : t16;
 }
 
 /* Part 2 of a step. */
 static void absolute_encoder_part_2(absolute_encoder_state *state, absolute_encoder_work *work)
 {
+    /* prediction, for a sample that is missing */
+    work->t18 = (work->t1 < 20U) ? (work->t1 + 1U) : 0U;
+    const float t19 = state->ahead_y;
+    const float t21 = 9.98668e-6f * work->t17;
+    const float t22 = t19 + t21;
+    const uint32_t t23 = state->y[work->t1];
+    const float t24 = (float)t23;
+    const float t25 = t24 * 0.00024414063f;
+    const float t26 = t25 + 1.2582912e7f;
+    const float t27 = t26 - 1.2582912e7f;
+    const float t28 = t27 * 4096.0f;
+    const float t29 = t24 - t28;
+    const float t30 = 0.0015339808f * t29;
+    const float t31 = t30 + 0.0007669904f;
+    const float t32 = t31 * 0.15915494f;
+    const float t33 = t32 + 1.2582912e7f;
+    const float t34 = t33 - 1.2582912e7f;
+    const float t35 = t34 * 6.2831855f;
+    const float t36 = t31 - t35;
+    const float t37 = t36 + t22;
+    const float t38 = t37 * 0.15915494f;
+    const float t39 = t38 + 1.2582912e7f;
+    const float t40 = t39 - 1.2582912e7f;
+    const float t41 = t40 * 6.2831855f;
+    const float t42 = t37 - t41;
+    const uint32_t t43 = (((work->t5 - t23) + 32768U) & 65535U) - 32768U;
+    const float t44 = (t43 < 2147483648U) ? (float)t43 : -(float)(0U - t43);
+    const float t45 = t44 * 0.00024414063f;
+    const float t46 = t45 + 1.2582912e7f;
+    const float t47 = t46 - 1.2582912e7f;
+    const float t48 = t47 * 4096.0f;
+    const float t49 = t44 - t48;
+    const float t50 = 0.0015339808f * t49;
+    const float t51 = t50 - t22;
+    const float t52 = t51 * 0.15915494f;
+    const float t53 = t52 + 1.2582912e7f;
+    const float t54 = t53 - 1.2582912e7f;
+    const float t55 = t54 * 6.2831855f;
+    const float t56 = t51 - t55;
+    const int t57 = (-6.2831855f <= t42) && (t42 <= 6.2831855f);
+    const int t58 = (-0.05f <= t56) && (t56 <= 0.05f);
+    const int t59 = !t58;
+    const int t60 = t57 && t59;
+    const int t61 = work->flags[0] && t60;
+    const uint32_t t62 = state->rejected_y;
+    const int t64 = t62 < 19U;
+    const int t65 = t61 && t64;
+    const uint32_t t66 = (t62 < 20U) ? (t62 + 1U) : 20U;
+    const uint32_t t67 = t65 ? t66 : 0U;
+    state->rejected_y = t67;
+    work->flags[2] = !t65;
+    const int t69 = !t64;
+    work->flags[3] = t61 && t69;
+    const int t71 = work->flags[0] && t57;
+    const int t72 = work->flags[2] || t71;
+    work->flags[4] = !t72;
+    const float t75 = t22 * 651.8986f;
+    const float t76 = t75 + 1.2582912e7f;
+    const float t77 = t76 - 1.2582912e7f;
+    const uint32_t t78 = absolute_encoder_index_from_f32(t77);
+    const uint32_t t79 = t23 + t78;
+    const uint32_t t80 = t71 ? t79 : t23;
+    work->t81 = work->flags[2] ? work->t5 : t80;
+    const float t82 = (float)work->t81;
+    const float t83 = t82 * 0.00024414063f;
+    const float t84 = t83 + 1.2582912e7f;
+    const float t85 = t84 - 1.2582912e7f;
+    const float t86 = t85 * 4096.0f;
+    const float t87 = t82 - t86;
+    const float t88 = 0.0015339808f * t87;
+    const float t89 = t88 + 0.0007669904f;
+    const float t90 = t89 * 0.15915494f;
+    const float t91 = t90 + 1.2582912e7f;
+    const float t92 = t91 - 1.2582912e7f;
+    const float t93 = t92 * 6.2831855f;
+    work->t94 = t89 - t93;
+    const uint32_t t95 = state->since;
+    const uint32_t t96 = (t95 < 4294967295U) ? (t95 + 1U) : 4294967295U;
+    work->t97 = work->flags[2] ? 0U : t96;
+    state->since = work->t97;
+}
+
+/* Part 3 of a step. */
+static void absolute_encoder_part_3(absolute_encoder_state *state, absolute_encoder_work *work)
+{
     /* how much of the window is good */
-    const int t85 = !work->flags[3];
-    const int t86 = work->flags[0] && t85;
-    const int t87 = work->flags[1] && t85;
-    const uint32_t t89 = (work->t2 < 21U) ? (work->t2 + 1U) : 21U;
-    const uint32_t t90 = work->flags[4] ? 0U : t89;
-    const uint32_t t91 = t87 ? t89 : 1U;
-    const uint32_t t92 = work->flags[2] ? t91 : 0U;
-    const uint32_t t93 = t86 ? t90 : t92;
-    state->count = t93;
-    const uint32_t t94 = state->coasting;
-    const uint32_t t95 = (t94 > 0U) ? (t94 - 1U) : 0U;
-    const uint32_t t96 = work->flags[1] ? t95 : 20U;
-    const uint32_t t98 = work->flags[2] ? t96 : 21U;
-    state->coasting = t98;
+    const int t98 = !work->flags[3];
+    const int t99 = work->flags[0] && t98;
+    const int t100 = work->flags[1] && t98;
+    const uint32_t t102 = (work->t2 < 21U) ? (work->t2 + 1U) : 21U;
+    const uint32_t t103 = work->flags[4] ? 0U : t102;
+    const uint32_t t104 = t100 ? t102 : 1U;
+    const uint32_t t105 = work->flags[2] ? t104 : 0U;
+    const uint32_t t106 = t99 ? t103 : t105;
+    state->count = t106;
+    const uint32_t t107 = state->coasting;
+    const uint32_t t108 = (t107 > 0U) ? (t107 - 1U) : 0U;
+    const uint32_t t109 = work->flags[1] ? t108 : 20U;
+    const uint32_t t111 = work->flags[2] ? t109 : 21U;
+    state->coasting = t111;
 
     /* into the window */
-    state->newest = work->t17;
-    state->y[work->t17] = (uint16_t)work->t74;
-    state->u[work->t17] = work->t16;
+    state->newest = work->t18;
+    state->y[work->t18] = (uint16_t)work->t81;
+    state->u[work->t18] = work->t17;
 
     /* the sums over the window, newest sample first */
-    const float t99 = state->u[work->t17];
-    const float t101 = 0.019486334f * t99;
-    const uint32_t t102 = ((work->t17 >= 1U) && (work->t17 < 21U)) ? (work->t17 - 1U) : 20U;
-    float t104 = 0.0f;
-    float t105 = 0.0f;
-    float t106 = t101;
-    uint32_t t107 = t102;
+    const float t112 = state->u[work->t18];
+    const float t114 = 0.019486334f * t112;
+    const uint32_t t115 = ((work->t18 >= 1U) && (work->t18 < 21U)) ? (work->t18 - 1U) : 20U;
+    float t117 = 0.0f;
+    float t118 = 0.0f;
+    float t119 = t114;
+    uint32_t t120 = t115;
     for (uint32_t row = 0U; row < 19U; ++row) {
         const float *const gains = ABSOLUTE_ENCODER_WINDOW[row];
-        const uint32_t t108 = state->y[t107];
-        const uint32_t t109 = (((t108 - work->t74) + 32768U) & 65535U) - 32768U;
-        const float t110 = (t109 < 2147483648U) ? (float)t109 : -(float)(0U - t109);
-        const float t111 = t110 * 0.00024414063f;
-        const float t112 = t111 + 1.2582912e7f;
-        const float t113 = t112 - 1.2582912e7f;
-        const float t114 = t113 * 4096.0f;
-        const float t115 = t110 - t114;
-        const float t116 = 0.0015339808f * t115;
-        const float t117 = gains[0];
-        const float t118 = t117 * t116;
-        const float t119 = t104 + t118;
-        const float t120 = gains[1];
-        const float t121 = t120 * t116;
-        const float t122 = t105 + t121;
-        const float t123 = state->u[t107];
-        const float t124 = gains[2];
-        const float t125 = t124 * t123;
-        const float t126 = t106 + t125;
-        const uint32_t t127 = ((t107 >= 1U) && (t107 < 21U)) ? (t107 - 1U) : 20U;
-        t104 = t119;
-        t105 = t122;
-        t106 = t126;
-        t107 = t127;
+        const uint32_t t121 = state->y[t120];
+        const uint32_t t122 = (((t121 - work->t81) + 32768U) & 65535U) - 32768U;
+        const float t123 = (t122 < 2147483648U) ? (float)t122 : -(float)(0U - t122);
+        const float t124 = t123 * 0.00024414063f;
+        const float t125 = t124 + 1.2582912e7f;
+        const float t126 = t125 - 1.2582912e7f;
+        const float t127 = t126 * 4096.0f;
+        const float t128 = t123 - t127;
+        const float t129 = 0.0015339808f * t128;
+        const float t130 = gains[0];
+        const float t131 = t130 * t129;
+        const float t132 = t117 + t131;
+        const float t133 = gains[1];
+        const float t134 = t133 * t129;
+        const float t135 = t118 + t134;
+        const float t136 = state->u[t120];
+        const float t137 = gains[2];
+        const float t138 = t137 * t136;
+        const float t139 = t119 + t138;
+        const uint32_t t140 = ((t120 >= 1U) && (t120 < 21U)) ? (t120 - 1U) : 20U;
+        t117 = t132;
+        t118 = t135;
+        t119 = t139;
+        t120 = t140;
     }
-    const uint32_t t128 = state->y[t107];
-    const uint32_t t129 = (((t128 - work->t74) + 32768U) & 65535U) - 32768U;
-    const float t130 = (t129 < 2147483648U) ? (float)t129 : -(float)(0U - t129);
-    const float t131 = t130 * 0.00024414063f;
-    const float t132 = t131 + 1.2582912e7f;
-    const float t133 = t132 - 1.2582912e7f;
-    const float t134 = t133 * 4096.0f;
-    const float t135 = t130 - t134;
-    const float t136 = 0.0015339808f * t135;
-    const float t137 = 0.0f * t136;
-    const float t138 = t104 + t137;
-    const float t140 = -12.396859f * t136;
-    const float t141 = t105 + t140;
-    const float t142 = t141 + t106;
+    const uint32_t t141 = state->y[t120];
+    const uint32_t t142 = (((t141 - work->t81) + 32768U) & 65535U) - 32768U;
+    const float t143 = (t142 < 2147483648U) ? (float)t142 : -(float)(0U - t142);
+    const float t144 = t143 * 0.00024414063f;
+    const float t145 = t144 + 1.2582912e7f;
+    const float t146 = t145 - 1.2582912e7f;
+    const float t147 = t146 * 4096.0f;
+    const float t148 = t143 - t147;
+    const float t149 = 0.0015339808f * t148;
+    const float t150 = 0.0f * t149;
+    const float t151 = t117 + t150;
+    const float t153 = -12.396859f * t149;
+    const float t154 = t118 + t153;
+    const float t155 = t154 + t119;
 
     /* the next measurement, as far as it is known */
-    const float t144 = 0.0009980027f * t142;
-    const float t145 = t138 + t144;
-    state->ahead_y = t145;
+    const float t157 = 0.0009980027f * t155;
+    const float t158 = t151 + t157;
+    state->ahead_y = t158;
 
     /* the estimate; until the window is full, the start */
-    const float t146 = t138 + work->t81;
-    const int t147 = 20U < t93;
-    work->t148 = t147 ? t146 : work->t81;
-    work->t149 = t147 ? t142 : 0.0f;
-    const uint32_t t150 = state->coasting;
-    const int t151 = t150 == 0U;
-    const absolute_encoder_status t155 = t151 ? ABSOLUTE_ENCODER_CONVERGED : ABSOLUTE_ENCODER_COASTING;
-    work->t156 = t147 ? t155 : ABSOLUTE_ENCODER_CONVERGING;
+    const float t159 = t151 + work->t94;
+    const int t160 = 20U < t106;
+    work->t161 = t160 ? t159 : work->t94;
+    work->t162 = t160 ? t155 : 0.0f;
+    const uint32_t t163 = state->coasting;
+    const int t164 = t163 == 0U;
+    const absolute_encoder_status t168 = t164 ? ABSOLUTE_ENCODER_CONVERGED : ABSOLUTE_ENCODER_COASTING;
+    work->t169 = t160 ? t168 : ABSOLUTE_ENCODER_CONVERGING;
 }
 
 void absolute_encoder_init(absolute_encoder_state *state)
@@ -274,9 +292,10 @@ void absolute_encoder_step(absolute_encoder_state *state, const absolute_encoder
     absolute_encoder_work work;
     absolute_encoder_part_1(state, measurements, inputs, &work);
     absolute_encoder_part_2(state, &work);
+    absolute_encoder_part_3(state, &work);
 
-    estimate->q = work.t148;
-    estimate->dq = work.t149;
-    estimate->coasted = work.t84;
-    estimate->status = work.t156;
+    estimate->q = work.t161;
+    estimate->dq = work.t162;
+    estimate->coasted = work.t97;
+    estimate->status = work.t169;
 }

@@ -50,6 +50,167 @@ static const float COUNTER_WINDOW[20][3] = {
     { 0.09655562f, 43.47826f, 5646.5273f }
 };
 
+/* x towards zero as a signed number, two's complement, as far as single precision has them; NaN as 0. */
+static uint32_t counter_index_from_f32(float x)
+{
+    if (x >= 2147483520.0f) {
+        return 2147483520U;
+    }
+    if (x <= -2147483648.0f) {
+        return 2147483648U;
+    }
+    if (x > 0.0f) {
+        return (uint32_t)x;
+    }
+    return (x < 0.0f) ? (0U - (uint32_t)(-x)) : 0U;
+}
+
+/* What one part of a step hands to the next. */
+typedef struct {
+    uint32_t t8;
+    uint32_t t56;
+    float t59;
+    uint32_t t62;
+    uint32_t t70;
+    float t103;
+    float t104;
+    float t105;
+    counter_status t112;
+} counter_work;
+
+/* Part 1 of a step. */
+static void counter_part_1(counter_state *state, const counter_measurements *measurements, counter_work *work)
+{
+    /* samples: outside its range, infinite or NaN means missing */
+    const uint32_t t0 = state->newest;
+    const uint32_t t1 = (t0 < 20U) ? t0 : 20U;
+    const uint32_t t2 = state->count;
+    const int t4 = 20U < t2;
+    const uint32_t t5 = (uint32_t)measurements->y;
+
+    /* prediction, for a sample that is missing */
+    work->t8 = (t1 < 20U) ? (t1 + 1U) : 0U;
+    const float t9 = state->ahead_y;
+    const uint32_t t10 = state->y[t1];
+    const uint32_t t11 = t10 - 0U;
+    const float t12 = (t11 < 2147483648U) ? (float)t11 : -(float)(0U - t11);
+    const float t13 = 1e-6f * t12;
+    const float t14 = t13 + t9;
+    const float t16 = t14 * 0.00023283064f;
+    const float t18 = t16 + 1.2582912e7f;
+    const float t19 = t18 - 1.2582912e7f;
+    const float t21 = t19 * 4294.9673f;
+    const float t22 = t14 - t21;
+    const uint32_t t23 = t5 - t10;
+    const float t24 = (t23 < 2147483648U) ? (float)t23 : -(float)(0U - t23);
+    const float t25 = 1e-6f * t24;
+    const float t26 = t25 - t9;
+    const float t27 = t26 * 0.00023283064f;
+    const float t28 = t27 + 1.2582912e7f;
+    const float t29 = t28 - 1.2582912e7f;
+    const float t30 = t29 * 4294.9673f;
+    const float t31 = t26 - t30;
+    const int t32 = (-4294.9673f <= t22) && (t22 <= 4294.9673f);
+    const int t33 = (-0.001f <= t31) && (t31 <= 0.001f);
+    const int t34 = !t33;
+    const int t35 = t32 && t34;
+    const int t36 = t4 && t35;
+    const uint32_t t37 = state->rejected_y;
+    const int t39 = t37 < 19U;
+    const int t40 = t36 && t39;
+    const uint32_t t41 = (t37 < 20U) ? (t37 + 1U) : 20U;
+    const uint32_t t42 = t40 ? t41 : 0U;
+    state->rejected_y = t42;
+    const int t43 = !t40;
+    const int t44 = !t39;
+    const int t45 = t36 && t44;
+    const int t46 = t4 && t32;
+    const int t47 = t43 || t46;
+    const int t48 = !t47;
+    const float t50 = t9 * 1000000.0f;
+    const float t51 = t50 + 1.2582912e7f;
+    const float t52 = t51 - 1.2582912e7f;
+    const uint32_t t53 = counter_index_from_f32(t52);
+    const uint32_t t54 = t10 + t53;
+    const uint32_t t55 = t46 ? t54 : t10;
+    work->t56 = t43 ? t5 : t55;
+    const uint32_t t57 = work->t56 - 0U;
+    const float t58 = (t57 < 2147483648U) ? (float)t57 : -(float)(0U - t57);
+    work->t59 = 1e-6f * t58;
+    const uint32_t t60 = state->since;
+    const uint32_t t61 = (t60 < 4294967295U) ? (t60 + 1U) : 4294967295U;
+    work->t62 = t43 ? 0U : t61;
+    state->since = work->t62;
+
+    /* how much of the window is good */
+    const int t63 = !t45;
+    const int t64 = t4 && t63;
+    const uint32_t t66 = (t2 < 21U) ? (t2 + 1U) : 21U;
+    const uint32_t t67 = t48 ? 0U : t66;
+    const uint32_t t68 = t63 ? t66 : 1U;
+    const uint32_t t69 = t43 ? t68 : 0U;
+    work->t70 = t64 ? t67 : t69;
+    state->count = work->t70;
+    const uint32_t t71 = state->coasting;
+    const uint32_t t72 = (t71 > 0U) ? (t71 - 1U) : 0U;
+    const uint32_t t74 = t43 ? t72 : 21U;
+    state->coasting = t74;
+
+    /* into the window */
+    state->newest = work->t8;
+    state->y[work->t8] = work->t56;
+}
+
+/* Part 2 of a step. */
+static void counter_part_2(counter_state *state, counter_work *work)
+{
+    /* the sums over the window, newest sample first */
+    const uint32_t t75 = ((work->t8 >= 1U) && (work->t8 < 21U)) ? (work->t8 - 1U) : 20U;
+    float t77 = 0.0f;
+    float t78 = 0.0f;
+    float t79 = 0.0f;
+    uint32_t t80 = t75;
+    for (uint32_t row = 0U; row < 20U; ++row) {
+        const float *const gains = COUNTER_WINDOW[row];
+        const uint32_t t81 = state->y[t80];
+        const uint32_t t82 = t81 - work->t56;
+        const float t83 = (t82 < 2147483648U) ? (float)t82 : -(float)(0U - t82);
+        const float t84 = 1e-6f * t83;
+        const float t85 = gains[0];
+        const float t86 = t85 * t84;
+        const float t87 = t77 + t86;
+        const float t88 = gains[1];
+        const float t89 = t88 * t84;
+        const float t90 = t78 + t89;
+        const float t91 = gains[2];
+        const float t92 = t91 * t84;
+        const float t93 = t79 + t92;
+        const uint32_t t94 = ((t80 >= 1U) && (t80 < 21U)) ? (t80 - 1U) : 20U;
+        t77 = t87;
+        t78 = t90;
+        t79 = t93;
+        t80 = t94;
+    }
+
+    /* the next measurement, as far as it is known */
+    const float t96 = 0.001f * t78;
+    const float t98 = 5e-7f * t79;
+    const float t99 = t77 + t96;
+    const float t100 = t99 + t98;
+    state->ahead_y = t100;
+
+    /* the estimate; until the window is full, the start */
+    const float t101 = t77 + work->t59;
+    const int t102 = 20U < work->t70;
+    work->t103 = t102 ? t101 : work->t59;
+    work->t104 = t102 ? t78 : 0.0f;
+    work->t105 = t102 ? t79 : 0.0f;
+    const uint32_t t106 = state->coasting;
+    const int t107 = t106 == 0U;
+    const counter_status t111 = t107 ? COUNTER_CONVERGED : COUNTER_COASTING;
+    work->t112 = t102 ? t111 : COUNTER_CONVERGING;
+}
+
 void counter_init(counter_state *state)
 {
     for (uint32_t slot = 0U; slot < 21U; ++slot) {
@@ -57,76 +218,22 @@ void counter_init(counter_state *state)
     }
     state->newest = 20U;
     state->count = 0U;
+    state->rejected_y = 0U;
     state->coasting = 0U;
+    state->ahead_y = 0.0f;
+    state->since = 0U;
 }
 
 void counter_step(counter_state *state, const counter_measurements *measurements,
                   counter_estimate *estimate)
 {
-    /* samples: outside its range, infinite or NaN means missing */
-    const uint32_t t0 = state->newest;
-    const uint32_t t1 = (t0 < 20U) ? t0 : 20U;
-    const uint32_t t2 = state->count;
-    const uint32_t t4 = (uint32_t)measurements->y;
-    const uint32_t t7 = t4 - 0U;
-    const float t8 = (t7 < 2147483648U) ? (float)t7 : -(float)(0U - t7);
-    const float t9 = 1e-6f * t8;
+    counter_work work;
+    counter_part_1(state, measurements, &work);
+    counter_part_2(state, &work);
 
-    /* prediction, for a sample that is missing */
-    const uint32_t t10 = (t1 < 20U) ? (t1 + 1U) : 0U;
-
-    /* how much of the window is good */
-    const uint32_t t11 = (t2 < 21U) ? (t2 + 1U) : 21U;
-    state->count = t11;
-    const uint32_t t12 = state->coasting;
-    const uint32_t t13 = (t12 > 0U) ? (t12 - 1U) : 0U;
-    state->coasting = t13;
-
-    /* into the window */
-    state->newest = t10;
-    state->y[t10] = t4;
-
-    /* the sums over the window, newest sample first */
-    const uint32_t t14 = ((t10 >= 1U) && (t10 < 21U)) ? (t10 - 1U) : 20U;
-    float t16 = 0.0f;
-    float t17 = 0.0f;
-    float t18 = 0.0f;
-    uint32_t t19 = t14;
-    for (uint32_t row = 0U; row < 20U; ++row) {
-        const float *const gains = COUNTER_WINDOW[row];
-        const uint32_t t20 = state->y[t19];
-        const uint32_t t21 = t20 - t4;
-        const float t22 = (t21 < 2147483648U) ? (float)t21 : -(float)(0U - t21);
-        const float t23 = 1e-6f * t22;
-        const float t24 = gains[0];
-        const float t25 = t24 * t23;
-        const float t26 = t16 + t25;
-        const float t27 = gains[1];
-        const float t28 = t27 * t23;
-        const float t29 = t17 + t28;
-        const float t30 = gains[2];
-        const float t31 = t30 * t23;
-        const float t32 = t18 + t31;
-        const uint32_t t33 = ((t19 >= 1U) && (t19 < 21U)) ? (t19 - 1U) : 20U;
-        t16 = t26;
-        t17 = t29;
-        t18 = t32;
-        t19 = t33;
-    }
-
-    /* the estimate; until the window is full, the start */
-    const float t34 = t16 + t9;
-    const int t35 = 20U < t11;
-    const float t36 = t35 ? t34 : t9;
-    const float t37 = t35 ? t17 : 0.0f;
-    const float t38 = t35 ? t18 : 0.0f;
-    const uint32_t t39 = state->coasting;
-    const int t40 = t39 == 0U;
-    const counter_status t44 = t40 ? COUNTER_CONVERGED : COUNTER_COASTING;
-    const counter_status t45 = t35 ? t44 : COUNTER_CONVERGING;
-
-    estimate->x = t36;
-    estimate->v = t37;
-    estimate->a = t38;
-    estimate->status = t45;
+    estimate->x = work.t103;
+    estimate->v = work.t104;
+    estimate->a = work.t105;
+    estimate->coasted = work.t62;
+    estimate->status = work.t112;
 }

@@ -21,9 +21,9 @@
 //!   noise gain from y, white       1         52.27
 //!   error bound from noise         7.670e-4  0.08956
 //!
-//! Cost       136 multiplications, 142 additions a call, the same for every call
+//! Cost       140 multiplications, 150 additions a call, the same for every call
 //! Memory     state 152 bytes, constants 228 bytes
-//!            at most: stack 1516 bytes, flash 5568 bytes without elementary functions
+//!            at most: stack 1620 bytes, flash 5924 bytes without elementary functions
 //!
 //! Contract:
 //!  1. No heap, no recursion, no global or static mutable data, no file or console, no library.
@@ -120,31 +120,35 @@ static WINDOW: [[f32; 3]; 19] = [
 
 /// What one part of a step hands to the next.
 struct Work {
+    t001: usize,
     t002: usize,
-    t016: f32,
-    t017: usize,
-    t074: usize,
-    t081: f32,
-    t084: usize,
-    t148: f32,
-    t149: f32,
-    t156: Status,
-    /// t4, t14, t61, t63, t66
+    t005: usize,
+    t017: f32,
+    t018: usize,
+    t081: usize,
+    t094: f32,
+    t097: usize,
+    t161: f32,
+    t162: f32,
+    t169: Status,
+    /// t4, t15, t68, t70, t73
     flags: [bool; 5],
 }
 
 impl Work {
     /// Before the first part.
     const EMPTY: Self = Self {
+        t001: 0,
         t002: 0,
-        t016: 0.0,
-        t017: 0,
-        t074: 0,
-        t081: 0.0,
-        t084: 0,
-        t148: 0.0,
-        t149: 0.0,
-        t156: Status::Converging,
+        t005: 0,
+        t017: 0.0,
+        t018: 0,
+        t081: 0,
+        t094: 0.0,
+        t097: 0,
+        t161: 0.0,
+        t162: 0.0,
+        t169: Status::Converging,
         flags: [false; 5],
     };
 }
@@ -171,183 +175,199 @@ impl Observer {
         let mut work = Work::EMPTY;
         self.part_1(measurements, inputs, &mut work);
         self.part_2(&mut work);
+        self.part_3(&mut work);
         Estimate {
-            q: work.t148,
-            dq: work.t149,
-            coasted: ::deadbeat::math::u32_from_index(work.t084),
-            status: work.t156,
+            q: work.t161,
+            dq: work.t162,
+            coasted: ::deadbeat::math::u32_from_index(work.t097),
+            status: work.t169,
         }
     }
 
     /// Part 1 of a step.
-    fn part_1(&mut self, measurements: Measurements, inputs: Inputs, work: &mut Work) {
+    fn part_1(&self, measurements: Measurements, inputs: Inputs, work: &mut Work) {
         // samples: outside its range, infinite or NaN means missing
         let t000 = self.newest;
-        let t001 = t000.min(20);
+        work.t001 = t000.min(20);
         work.t002 = self.count;
         work.flags[0] = 20 < work.t002;
-        let t005 = ::deadbeat::math::index_from_u16(measurements.y);
-        let t013 = inputs.u;
-        work.flags[1] = (-1e35..=1e35).contains(&t013);
-        let t015 = self.u[t001];
-        work.t016 = if work.flags[1] { t013 } else { t015 };
-
-        // prediction, for a sample that is missing
-        work.t017 = if t001 < 20 { t001 + 1 } else { 0 };
-        let t018 = self.ahead_y;
-        let t020 = 9.98668e-6 * work.t016;
-        let t021 = t018 + t020;
-        let t022 = ::deadbeat::math::index_from_u16(self.y[t001]);
-        let t023 = ::deadbeat::math::f32_from_index(t022);
-        let t024 = t023 * 0.000_244_140_63;
-        let t025 = t024 + 1.258_291_2e7;
-        let t026 = t025 - 1.258_291_2e7;
-        let t027 = t026 * 4096.0;
-        let t028 = t023 - t027;
-        let t029 = 0.001_533_980_8 * t028;
-        let t030 = t029 + t021;
-        let t031 = t030 * 0.159_154_94;
-        let t032 = t031 + 1.258_291_2e7;
-        let t033 = t032 - 1.258_291_2e7;
-        let t034 = t033 * 6.283_185_5;
-        let t035 = t030 - t034;
-        let t036 = ::deadbeat::math::difference_16(t005, t022);
-        let t037 = ::deadbeat::math::f32_from_signed(t036);
-        let t038 = t037 * 0.000_244_140_63;
-        let t039 = t038 + 1.258_291_2e7;
-        let t040 = t039 - 1.258_291_2e7;
-        let t041 = t040 * 4096.0;
-        let t042 = t037 - t041;
-        let t043 = 0.001_533_980_8 * t042;
-        let t044 = t043 - t021;
-        let t045 = t044 * 0.159_154_94;
-        let t046 = t045 + 1.258_291_2e7;
-        let t047 = t046 - 1.258_291_2e7;
-        let t048 = t047 * 6.283_185_5;
-        let t049 = t044 - t048;
-        let t050 = (-6.283_185_5..=6.283_185_5).contains(&t035);
-        let t051 = (-0.05..=0.05).contains(&t049);
-        let t052 = !t051;
-        let t053 = t050 && t052;
-        let t054 = work.flags[0] && t053;
-        let t055 = self.rejected_y;
-        let t057 = t055 < 19;
-        let t058 = t054 && t057;
-        let t059 = if t055 < 20 { t055 + 1 } else { 20 };
-        let t060 = if t058 { t059 } else { 0 };
-        self.rejected_y = t060;
-        work.flags[2] = !t058;
-        let t062 = !t057;
-        work.flags[3] = t054 && t062;
-        let t064 = work.flags[0] && t050;
-        let t065 = work.flags[2] || t064;
-        work.flags[4] = !t065;
-        let t068 = t021 * 651.8986;
-        let t069 = t068 + 1.258_291_2e7;
-        let t070 = t069 - 1.258_291_2e7;
-        let t071 = ::deadbeat::math::index_from_f32(t070);
-        let t072 = ::deadbeat::math::wrap_add(t022, t071);
-        let t073 = if t064 { t072 } else { t022 };
-        work.t074 = if work.flags[2] { t005 } else { t073 };
-        let t075 = ::deadbeat::math::f32_from_index(work.t074);
-        let t076 = t075 * 0.000_244_140_63;
-        let t077 = t076 + 1.258_291_2e7;
-        let t078 = t077 - 1.258_291_2e7;
-        let t079 = t078 * 4096.0;
-        let t080 = t075 - t079;
-        work.t081 = 0.001_533_980_8 * t080;
-        let t082 = self.since;
-        let t083 = if t082 < 4_294_967_295 { t082 + 1 } else { 4_294_967_295 };
-        work.t084 = if work.flags[2] { 0 } else { t083 };
-        self.since = work.t084;
+        work.t005 = ::deadbeat::math::index_from_u16(measurements.y);
+        let t014 = inputs.u;
+        work.flags[1] = (-1e35..=1e35).contains(&t014);
+        let t016 = self.u[work.t001.min(20)];
+        work.t017 = if work.flags[1] { t014 } else { t016 };
     }
 
     /// Part 2 of a step.
     fn part_2(&mut self, work: &mut Work) {
+        // prediction, for a sample that is missing
+        work.t018 = if work.t001 < 20 { work.t001 + 1 } else { 0 };
+        let t019 = self.ahead_y;
+        let t021 = 9.98668e-6 * work.t017;
+        let t022 = t019 + t021;
+        let t023 = ::deadbeat::math::index_from_u16(self.y[work.t001.min(20)]);
+        let t024 = ::deadbeat::math::f32_from_index(t023);
+        let t025 = t024 * 0.000_244_140_63;
+        let t026 = t025 + 1.258_291_2e7;
+        let t027 = t026 - 1.258_291_2e7;
+        let t028 = t027 * 4096.0;
+        let t029 = t024 - t028;
+        let t030 = 0.001_533_980_8 * t029;
+        let t031 = t030 + 0.000_766_990_4;
+        let t032 = t031 * 0.159_154_94;
+        let t033 = t032 + 1.258_291_2e7;
+        let t034 = t033 - 1.258_291_2e7;
+        let t035 = t034 * 6.283_185_5;
+        let t036 = t031 - t035;
+        let t037 = t036 + t022;
+        let t038 = t037 * 0.159_154_94;
+        let t039 = t038 + 1.258_291_2e7;
+        let t040 = t039 - 1.258_291_2e7;
+        let t041 = t040 * 6.283_185_5;
+        let t042 = t037 - t041;
+        let t043 = ::deadbeat::math::difference_16(work.t005, t023);
+        let t044 = ::deadbeat::math::f32_from_signed(t043);
+        let t045 = t044 * 0.000_244_140_63;
+        let t046 = t045 + 1.258_291_2e7;
+        let t047 = t046 - 1.258_291_2e7;
+        let t048 = t047 * 4096.0;
+        let t049 = t044 - t048;
+        let t050 = 0.001_533_980_8 * t049;
+        let t051 = t050 - t022;
+        let t052 = t051 * 0.159_154_94;
+        let t053 = t052 + 1.258_291_2e7;
+        let t054 = t053 - 1.258_291_2e7;
+        let t055 = t054 * 6.283_185_5;
+        let t056 = t051 - t055;
+        let t057 = (-6.283_185_5..=6.283_185_5).contains(&t042);
+        let t058 = (-0.05..=0.05).contains(&t056);
+        let t059 = !t058;
+        let t060 = t057 && t059;
+        let t061 = work.flags[0] && t060;
+        let t062 = self.rejected_y;
+        let t064 = t062 < 19;
+        let t065 = t061 && t064;
+        let t066 = if t062 < 20 { t062 + 1 } else { 20 };
+        let t067 = if t065 { t066 } else { 0 };
+        self.rejected_y = t067;
+        work.flags[2] = !t065;
+        let t069 = !t064;
+        work.flags[3] = t061 && t069;
+        let t071 = work.flags[0] && t057;
+        let t072 = work.flags[2] || t071;
+        work.flags[4] = !t072;
+        let t075 = t022 * 651.8986;
+        let t076 = t075 + 1.258_291_2e7;
+        let t077 = t076 - 1.258_291_2e7;
+        let t078 = ::deadbeat::math::index_from_f32(t077);
+        let t079 = ::deadbeat::math::wrap_add(t023, t078);
+        let t080 = if t071 { t079 } else { t023 };
+        work.t081 = if work.flags[2] { work.t005 } else { t080 };
+        let t082 = ::deadbeat::math::f32_from_index(work.t081);
+        let t083 = t082 * 0.000_244_140_63;
+        let t084 = t083 + 1.258_291_2e7;
+        let t085 = t084 - 1.258_291_2e7;
+        let t086 = t085 * 4096.0;
+        let t087 = t082 - t086;
+        let t088 = 0.001_533_980_8 * t087;
+        let t089 = t088 + 0.000_766_990_4;
+        let t090 = t089 * 0.159_154_94;
+        let t091 = t090 + 1.258_291_2e7;
+        let t092 = t091 - 1.258_291_2e7;
+        let t093 = t092 * 6.283_185_5;
+        work.t094 = t089 - t093;
+        let t095 = self.since;
+        let t096 = if t095 < 4_294_967_295 { t095 + 1 } else { 4_294_967_295 };
+        work.t097 = if work.flags[2] { 0 } else { t096 };
+        self.since = work.t097;
+    }
+
+    /// Part 3 of a step.
+    fn part_3(&mut self, work: &mut Work) {
         // how much of the window is good
-        let t085 = !work.flags[3];
-        let t086 = work.flags[0] && t085;
-        let t087 = work.flags[1] && t085;
-        let t089 = if work.t002 < 21 { work.t002 + 1 } else { 21 };
-        let t090 = if work.flags[4] { 0 } else { t089 };
-        let t091 = if t087 { t089 } else { 1 };
-        let t092 = if work.flags[2] { t091 } else { 0 };
-        let t093 = if t086 { t090 } else { t092 };
-        self.count = t093;
-        let t094 = self.coasting;
-        let t095 = t094.saturating_sub(1);
-        let t096 = if work.flags[1] { t095 } else { 20 };
-        let t098 = if work.flags[2] { t096 } else { 21 };
-        self.coasting = t098;
+        let t098 = !work.flags[3];
+        let t099 = work.flags[0] && t098;
+        let t100 = work.flags[1] && t098;
+        let t102 = if work.t002 < 21 { work.t002 + 1 } else { 21 };
+        let t103 = if work.flags[4] { 0 } else { t102 };
+        let t104 = if t100 { t102 } else { 1 };
+        let t105 = if work.flags[2] { t104 } else { 0 };
+        let t106 = if t099 { t103 } else { t105 };
+        self.count = t106;
+        let t107 = self.coasting;
+        let t108 = t107.saturating_sub(1);
+        let t109 = if work.flags[1] { t108 } else { 20 };
+        let t111 = if work.flags[2] { t109 } else { 21 };
+        self.coasting = t111;
 
         // into the window
-        self.newest = work.t017;
-        self.y[work.t017.min(20)] = ::deadbeat::math::u16_from_index(work.t074);
-        self.u[work.t017.min(20)] = work.t016;
+        self.newest = work.t018;
+        self.y[work.t018.min(20)] = ::deadbeat::math::u16_from_index(work.t081);
+        self.u[work.t018.min(20)] = work.t017;
 
         // the sums over the window, newest sample first
-        let t099 = self.u[work.t017.min(20)];
-        let t101 = 0.019_486_334 * t099;
-        let t102 = work.t017.wrapping_sub(1).min(20);
-        let mut t104: f32 = 0.0;
-        let mut t105: f32 = 0.0;
-        let mut t106: f32 = t101;
-        let mut t107: usize = t102;
+        let t112 = self.u[work.t018.min(20)];
+        let t114 = 0.019_486_334 * t112;
+        let t115 = work.t018.wrapping_sub(1).min(20);
+        let mut t117: f32 = 0.0;
+        let mut t118: f32 = 0.0;
+        let mut t119: f32 = t114;
+        let mut t120: usize = t115;
         for gains in &WINDOW {
-            let t108 = ::deadbeat::math::index_from_u16(self.y[t107]);
-            let t109 = ::deadbeat::math::difference_16(t108, work.t074);
-            let t110 = ::deadbeat::math::f32_from_signed(t109);
-            let t111 = t110 * 0.000_244_140_63;
-            let t112 = t111 + 1.258_291_2e7;
-            let t113 = t112 - 1.258_291_2e7;
-            let t114 = t113 * 4096.0;
-            let t115 = t110 - t114;
-            let t116 = 0.001_533_980_8 * t115;
-            let t117 = gains[0];
-            let t118 = t117 * t116;
-            let t119 = t104 + t118;
-            let t120 = gains[1];
-            let t121 = t120 * t116;
-            let t122 = t105 + t121;
-            let t123 = self.u[t107];
-            let t124 = gains[2];
-            let t125 = t124 * t123;
-            let t126 = t106 + t125;
-            let t127 = t107.wrapping_sub(1).min(20);
-            t104 = t119;
-            t105 = t122;
-            t106 = t126;
-            t107 = t127;
+            let t121 = ::deadbeat::math::index_from_u16(self.y[t120]);
+            let t122 = ::deadbeat::math::difference_16(t121, work.t081);
+            let t123 = ::deadbeat::math::f32_from_signed(t122);
+            let t124 = t123 * 0.000_244_140_63;
+            let t125 = t124 + 1.258_291_2e7;
+            let t126 = t125 - 1.258_291_2e7;
+            let t127 = t126 * 4096.0;
+            let t128 = t123 - t127;
+            let t129 = 0.001_533_980_8 * t128;
+            let t130 = gains[0];
+            let t131 = t130 * t129;
+            let t132 = t117 + t131;
+            let t133 = gains[1];
+            let t134 = t133 * t129;
+            let t135 = t118 + t134;
+            let t136 = self.u[t120];
+            let t137 = gains[2];
+            let t138 = t137 * t136;
+            let t139 = t119 + t138;
+            let t140 = t120.wrapping_sub(1).min(20);
+            t117 = t132;
+            t118 = t135;
+            t119 = t139;
+            t120 = t140;
         }
-        let t128 = ::deadbeat::math::index_from_u16(self.y[t107]);
-        let t129 = ::deadbeat::math::difference_16(t128, work.t074);
-        let t130 = ::deadbeat::math::f32_from_signed(t129);
-        let t131 = t130 * 0.000_244_140_63;
-        let t132 = t131 + 1.258_291_2e7;
-        let t133 = t132 - 1.258_291_2e7;
-        let t134 = t133 * 4096.0;
-        let t135 = t130 - t134;
-        let t136 = 0.001_533_980_8 * t135;
-        let t137 = 0.0 * t136;
-        let t138 = t104 + t137;
-        let t140 = -12.396_859 * t136;
-        let t141 = t105 + t140;
-        let t142 = t141 + t106;
+        let t141 = ::deadbeat::math::index_from_u16(self.y[t120]);
+        let t142 = ::deadbeat::math::difference_16(t141, work.t081);
+        let t143 = ::deadbeat::math::f32_from_signed(t142);
+        let t144 = t143 * 0.000_244_140_63;
+        let t145 = t144 + 1.258_291_2e7;
+        let t146 = t145 - 1.258_291_2e7;
+        let t147 = t146 * 4096.0;
+        let t148 = t143 - t147;
+        let t149 = 0.001_533_980_8 * t148;
+        let t150 = 0.0 * t149;
+        let t151 = t117 + t150;
+        let t153 = -12.396_859 * t149;
+        let t154 = t118 + t153;
+        let t155 = t154 + t119;
 
         // the next measurement, as far as it is known
-        let t144 = 0.000_998_002_7 * t142;
-        let t145 = t138 + t144;
-        self.ahead_y = t145;
+        let t157 = 0.000_998_002_7 * t155;
+        let t158 = t151 + t157;
+        self.ahead_y = t158;
 
         // the estimate; until the window is full, the start
-        let t146 = t138 + work.t081;
-        let t147 = 20 < t093;
-        work.t148 = if t147 { t146 } else { work.t081 };
-        work.t149 = if t147 { t142 } else { 0.0 };
-        let t150 = self.coasting;
-        let t151 = t150 == 0;
-        let t155 = if t151 { Status::Converged } else { Status::Coasting };
-        work.t156 = if t147 { t155 } else { Status::Converging };
+        let t159 = t151 + work.t094;
+        let t160 = 20 < t106;
+        work.t161 = if t160 { t159 } else { work.t094 };
+        work.t162 = if t160 { t155 } else { 0.0 };
+        let t163 = self.coasting;
+        let t164 = t163 == 0;
+        let t168 = if t164 { Status::Converged } else { Status::Coasting };
+        work.t169 = if t160 { t168 } else { Status::Converging };
     }
 }
 const _: f32 = SAMPLE_TIME;
