@@ -9,7 +9,8 @@
 pub mod lower;
 
 use crate::design::Settled;
-use crate::method::{Cannot, Feature};
+use crate::method::{Cannot, Feature, cannot_count};
+use crate::plant::Plant;
 use crate::window::count;
 
 /// The estimator, settled.
@@ -56,14 +57,14 @@ pub struct AdaptiveWindow {
 }
 
 /// Why no baseline can do something that a specification asks for.
-pub fn cannot(feature: Feature) -> Option<Cannot> {
+pub fn cannot(feature: Feature, plant: &Plant) -> Option<Cannot> {
     let (why, instead) = match feature {
         Feature::Wrap | Feature::Ahead | Feature::Coasted => return None,
         Feature::Gate => ("it predicts no sample to compare with", "use `pll`, `alpha-beta` or `window`"),
         Feature::Every => ("it takes one output at every call", "write the time between its samples as `sample_time`"),
         Feature::Age => ("it takes samples at the calls", "use `window`, which takes samples of any age"),
         Feature::InitAt => ("it has no state to start from", "use `pll` or `alpha-beta`"),
-        Feature::Counter => ("it is not built yet", "leave the key out"),
+        Feature::Counter => return cannot_count(plant),
     };
     Some(Cannot { why, instead })
 }

@@ -41,14 +41,15 @@ pub mod sliding;
 pub mod theorem1;
 
 use crate::design::Settled;
-use crate::method::{Cannot, Feature};
+use crate::method::{Cannot, Feature, cannot_count};
+use crate::plant::Plant;
 use crate::window::Signal;
 
 /// Settled entries, row-major; `None` marks a structural zero.
 pub type Grid = Vec<Vec<Option<Settled>>>;
 
 /// Why no corrector can do something that a specification asks for.
-pub fn cannot(feature: Feature) -> Option<Cannot> {
+pub fn cannot(feature: Feature, plant: &Plant) -> Option<Cannot> {
     let (why, instead) = match feature {
         Feature::Wrap | Feature::Gate | Feature::Ahead | Feature::Coasted | Feature::InitAt => return None,
         Feature::Every => (
@@ -56,7 +57,7 @@ pub fn cannot(feature: Feature) -> Option<Cannot> {
             "use `kalman` or `window`, which take several rates",
         ),
         Feature::Age => ("its gains are of samples taken at the calls", "use `window`, which takes samples of any age"),
-        Feature::Counter => ("it is not built yet", "leave the key out"),
+        Feature::Counter => return cannot_count(plant),
     };
     Some(Cannot { why, instead })
 }

@@ -33,7 +33,7 @@ use crate::design::{Design, NamedMatrix};
 use crate::diagnostic::Diagnostic;
 use crate::plant::Plant;
 use crate::spec::reader::Table;
-pub use features::{Cannot, Feature};
+pub use features::{Cannot, Feature, cannot_count};
 
 /// All methods, in the order in which `deadbeat list` shows them.
 pub const METHODS: &[Method] = &[
@@ -77,6 +77,11 @@ pub trait Keyed: Debug + Send + Sync {
     /// The order of the chain of integrators that stands for the plant: of the key `order`, where it is given.
     fn chain(&self) -> Option<usize> {
         None
+    }
+
+    /// The key that stands for the plant; `None` where the method itself does.
+    fn chain_key(&self) -> Option<&'static str> {
+        Some("order")
     }
 
     /// What to write in a file that declares a plant and gives `order` too.

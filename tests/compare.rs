@@ -151,7 +151,7 @@ fn everyone_is_scored_over_the_same_rows() {
 #[test]
 fn lags_are_those_of_straight_lines() {
     let desk = Desk::new("lag");
-    desk.write("ramp.csv", &rows(3000, |t| t.sin(), f64::cos));
+    desk.write("ramp.csv", &rows(3000, f64::sin, f64::cos));
     let report = desk.run(&format!("{ALL} --format json")).is(0).json();
     for (name, lag) in [("narrow", 0.01), ("wide", 0.1), ("difference", 0.005)] {
         // A line's slope over a length of T is the derivative's mean with a parabola's weight: later terms are (T/2)^3.
@@ -196,8 +196,8 @@ fn references_may_be_in_another_recording() {
     // The speed is a quarter of t^2, known once a second at odd times; between them straight lines.
     let speed = |t: f64| 0.25 * t * t;
     desk.write("ramp.csv", &rows(1000, |t| t * t * t / 12.0, |_| 0.0));
-    let known: String = (1..=8).map(|k| format!("{k}.005,{}\n", speed(f64::from(k) + 0.005))).collect();
-    desk.write("ref.csv", &format!("t,v\n{known}"));
+    let known: Vec<String> = (1..=8).map(|k| format!("{k}.005,{}\n", speed(f64::from(k) + 0.005))).collect();
+    desk.write("ref.csv", &format!("t,v\n{}", known.concat()));
     let line = "compare narrow.toml wide.toml --log ramp.csv --reference v=v --reference-log ref.csv --format json";
     let report = desk.run(line).is(0).json();
     // From 1.01 s to 8 s.

@@ -94,7 +94,7 @@ fn a_true_jump_is_followed() {
         for (gate, limit) in [(", gate = 0.1, gate_limit = 20", Some(20)), (", gate = 0.1", None)] {
             let generated = designed(&specification(method, gate));
             let valid = generated.design.valid_from_step;
-            let limit = limit.unwrap_or(valid.max(1));
+            let limit = limit.unwrap_or(valid.max(2));
             let jump = 4 * valid + 1_000;
             let samples: Vec<f64> =
                 (0..jump + limit + 2 * valid + 400).map(|k| f64::from(u8::from(k >= jump))).collect();

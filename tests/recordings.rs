@@ -51,9 +51,10 @@ fn error(text: &str, scalar: Scalar, recording: &str) -> (f64, u32) {
 fn chain(order: usize, steps: u32, sample_time: f64) -> String {
     let names = ["q", "dq", "d2q", "0"];
     let next = |i: usize| if i + 1 < order { names[i + 1] } else { "0" };
-    let states: String = (0..order).map(|i| format!("{} = {{ derivative = '{}' }}\n", names[i], next(i))).collect();
+    let states: Vec<String> = (0..order).map(|i| format!("{} = {{ derivative = '{}' }}", names[i], next(i))).collect();
+    let states = states.join("\n");
     format!(
-        "deadbeat = 1\nname = \"chain\"\n[states]\n{states}[outputs]\ny = {{ value = 'q' }}\n\
+        "deadbeat = 1\nname = \"chain\"\n[states]\n{states}\n[outputs]\ny = {{ value = 'q' }}\n\
          [observer.window]\nwindow = {}\n[target]\nsample_time = {sample_time}\n",
         f64::from(steps) * sample_time
     )

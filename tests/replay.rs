@@ -179,3 +179,36 @@ fn rates_of_their_own() {
     assert!(report["converged_rows"].as_u64() > Some(280), "{report}");
     assert!(report["errors"]["v"]["max"].as_f64().is_some_and(|largest| largest < 1e-10), "{report}");
 }
+
+/// Claim: ages come from a column of their own or are the time less a sensor's own, with the same result; a sensor's time
+/// ahead of the recording's is no age, and is counted.
+#[test]
+fn ages() {
+    let desk = Desk::new("ages");
+    desk.write("axis.toml", &chain(", age = \"measured\", age_max = 0.01", WINDOW, ""));
+    let late = |k: i32| f64::from(k % 7) * 1e-3;
+    let row = |k: i32, t: f64| {
+        let stamp = if k == 150 { t + 0.5 } else { t - late(k) };
+        let age = if k == 150 { f64::NAN } else { late(k) };
+        Some(format!("{},{stamp},{age},{age},3", 3.0 * (t - late(k))))
+    };
+    desk.write("log.csv", &recording("t,y,stamp,y_age,old,v", row));
+    let line = "run axis.toml --log log.csv";
+    let report = desk.json(&format!("{line} --age y=stamp"));
+    let largest = report["errors"]["v"]["max"].as_f64().expect("an error");
+    // Times are differences of numbers up to 3 s, over a window of 0.05 s.
+    assert!(largest < 3.0 * 3.0 / 0.05 * 64.0 * f64::EPSILON, "{largest}");
+    assert_eq!(report["negative_ages"].as_u64(), Some(1));
+    let text = desk.fine(&format!("{line} --age y=stamp"));
+    assert!(text.contains("1 samples are of a later time than their row"), "{text}");
+    for other in ["", "--map y_age=old"] {
+        let same = desk.json(&format!("{line} {other}"));
+        let found = same["errors"]["v"]["max"].as_f64().expect("an error");
+        assert!(found < 1e-9 && same["negative_ages"].is_null(), "{other}: {same}");
+        assert_eq!(same["converged_rows"], report["converged_rows"]);
+    }
+    desk.complains(&format!("{line} --age y=stamp --map y_age=old"), 3, &["--age y", "--map names a column"]);
+    desk.complains(&format!("{line} --age x=stamp"), 3, &["`x` is not an output", "whose age is measured"]);
+    desk.write("untimed.csv", "y,stamp\n1,1\n");
+    desk.complains("run axis.toml --log untimed.csv --age y=stamp", 3, &["no column `t`"]);
+}

@@ -90,7 +90,7 @@ fn plants(count: usize) -> Vec<(Rates, Generated)> {
 }
 
 fn sizes() -> usize {
-    if std::env::var("DEADBEAT_DEEP").is_ok_and(|value| value == "1") { 200 } else { 12 }
+    if std::env::var("DEADBEAT_DEEP").is_ok_and(|value| value == "1") { 200 } else { 4 }
 }
 
 #[test]

@@ -193,7 +193,7 @@ fn a_motion_that_samples_cannot_tell_starts_the_observer_again() {
             for k in 0..3_000 {
                 let input = if k == 1_000 { push } else { 0.0 };
                 status = interpreter.step(&[0.5], &[input], &mut estimate);
-                after = if k == 1_001 { Some(status) } else { after };
+                after = if k == 1_000 { Some(status) } else { after };
             }
             // Half a turn within a sample may still be told from none at all.
             let told = push < 1e9;
@@ -220,4 +220,37 @@ fn equal_samples_give_zero() {
             assert!(estimate[1].abs() <= rounding, "{what}, call {k}: {}", estimate[1]);
         }
     });
+}
+
+/// Counts of 4096 a turn from a counter of 16 bits, and a counter of 32 bits that overflows without a turn of its own: the
+/// angles that the counts stand for, also while the counter jumps.
+#[test]
+fn counters_are_angles() {
+    let count = TAU / 4096.0;
+    let counts: Vec<f64> = swing().iter().map(|q| (q / count).round()).collect();
+    for (method, keys) in SIGNALS {
+        let with = |sensor: &str| {
+            let text = signal((method, keys));
+            designed_in(&edited(&text, "wrap = '2*pi'", &format!("quantum = '2*pi/4096'{sensor}")), Scalar::F64)
+        };
+        let (folding, plain) = (with(", wrap = '2*pi'"), with(""));
+        let short = through(&with(", wrap = '2*pi', sample = 'u16'"), counts.iter().map(|n| n.rem_euclid(65_536.0)));
+        let angles = through(&folding, counts.iter().map(|n| folded(n * count)));
+        // From just below the largest count of 32 bits; the recording goes to 10,000 counts below where it began.
+        let at =
+            |n: &f64| (n + 2_147_483_648.0 - 100.0 + 2_147_483_648.0).rem_euclid(4_294_967_296.0) - 2_147_483_648.0;
+        let long = through(&with(", sample = 'i32'"), counts.iter().map(at));
+        let unfolded = through(&plain, counts.iter().map(|n| n * count));
+        for (what, (a, b), size) in [("u16", (&short, &angles), 100.0), ("i32", (&long, &unfolded), 3.3e6)] {
+            for (i, (difference, largest)) in apart(a, b, 0).into_iter().enumerate().skip(1) {
+                // Positions of that size are rounded before they are differences.
+                let rounding = size * 4.0 * f64::EPSILON * (2.0 / H).powi(i32::try_from(i).unwrap());
+                let own = if method == "robust-exact" { (60.0 * size * f64::EPSILON).sqrt() } else { 0.0 };
+                assert!(
+                    difference <= 1e-12 * largest + rounding + own,
+                    "{method} {keys:?}, {what}, state {i}: {difference:e} of {largest:e}"
+                );
+            }
+        }
+    }
 }

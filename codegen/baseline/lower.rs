@@ -28,7 +28,7 @@ pub fn lower(plant: &Plant, design: &Baseline, ahead: Option<&Ahead>) -> Result<
     injections::check(plant)?;
     let mut builder = Builder::new(&plant.name, plant.scalar, injections::round(&plant.sample_time.0, plant.scalar));
     for output in &plant.outputs {
-        builder.measurement(field(&output.label.name, &output.label.unit, &output.label.doc));
+        builder.measurement(front::measurement(output));
     }
     let mut lowering = Lowering { plant, design, guard, builder, ahead };
     match &design.law {

@@ -187,9 +187,9 @@ impl Columns {
                 Cell::Number(place) => cells[*place],
                 Cell::Count(place, count, column) => counted(cells[*place], *count, column, recording)?,
                 Cell::Since(place) => {
-                    let age = t.unwrap_or(f64::NAN) - cells[*place];
-                    self.negative_ages += u64::from(age < 0.0);
-                    if age < 0.0 { f64::NAN } else { age }
+                    let age = since(t.unwrap_or(f64::NAN), cells[*place]);
+                    self.negative_ages += u64::from(age.is_none());
+                    age.unwrap_or(f64::NAN)
                 }
             });
         }
@@ -200,6 +200,13 @@ impl Columns {
             references: self.references.iter().map(|place| place.map_or(f64::NAN, |place| cells[place])).collect(),
         })
     }
+}
+
+/// The time since a stamp, s; `None` where that is below zero by more than the rounding of two decimals.
+fn since(now: f64, stamp: f64) -> Option<f64> {
+    let age = now - stamp;
+    let rounding = f64::EPSILON * now.abs().max(stamp.abs());
+    if age < -rounding { None } else { Some(if age < 0.0 { 0.0 } else { age }) }
 }
 
 /// A cell that has to hold a count.

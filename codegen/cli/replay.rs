@@ -145,8 +145,10 @@ impl<'a> Replay<'a> {
             let _ = writeln!(text, "{} samples that the recording's time leaves out were {what}", self.left_out);
         }
         if negative_ages > 0 {
-            let _ =
-                writeln!(text, "{negative_ages} samples were younger than the row they stand in: treated as missing");
+            let _ = writeln!(
+                text,
+                "{negative_ages} samples are of a later time than their row and were treated as missing"
+            );
         }
         text
     }

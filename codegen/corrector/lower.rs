@@ -47,7 +47,7 @@ pub fn lower(plant: &Plant, design: &Corrector, ahead: Option<&Ahead>) -> Result
     let mut builder = Builder::new(&plant.name, plant.scalar, injections::round(&plant.sample_time.0, plant.scalar));
     let cells = Cells::declare(&mut builder, plant, design);
     for output in &plant.outputs {
-        builder.measurement(field(&output.label.name, &output.label.unit, &output.label.doc));
+        builder.measurement(front::measurement(output));
     }
     for input in &plant.inputs {
         builder.input(field(&input.label.name, &input.label.unit, &input.label.doc));
@@ -125,7 +125,7 @@ impl Cells {
         let phase = b.index_cell("phase", "calls since every output was due", 0);
         let due = rates::cells(b, plant);
         let given = plant.init_at.then(|| b.index_cell("given", "1 from a given state until the first good call", 0));
-        Self { state, left, good, clean, outputs, signals, inputs, calls, rejected, coasted, phase, due, given }
+        Self { state, left, good, clean, outputs, signals, inputs, calls, rejected, coasted, given, phase, due }
     }
 }
 

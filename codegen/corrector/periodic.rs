@@ -1,6 +1,7 @@
 //! The Kalman filter of outputs at several rates: a gain for every call of a cycle.
 //!
-//! Output o is measured at calls 0, g_o, 2 g_o, …; the calls of a cycle are as many as the least common multiple of all g.
+//! An output with `every = g` is measured at calls 0, g, 2 g, …; a cycle has as many calls as the least common multiple of
+//! all g.
 //! One call takes the prediction's covariance by `P -> Phi (I + P G)^-1 P Phi' + Q`, G the information `C' R^-1 C` of the
 //! outputs that are due. Such maps `(A, G, H): P -> A (I + P G)^-1 P A' + H` compose to one of the same form
 //! (Chu, Fan, Lin and Wang 2004, "Structure-preserving algorithms for periodic discrete-time algebraic Riccati equations"),

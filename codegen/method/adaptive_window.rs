@@ -55,7 +55,7 @@ fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
     if deviation.is_none() && !table.has("deviation") {
         table.missing("deviation", "write `deviation = …`, in the output's unit: one count, or the noise");
     }
-    if longest.is_none() && !table.has("longest") {
+    if longest.is_none() && !table.has("longest") && table.has("deviation") {
         table.missing("longest", "write `longest = …`, in s: how far back the line may go");
     }
     Some(Arc::new(Keys { deviation: deviation?, longest: longest? }))
@@ -66,12 +66,16 @@ impl Keyed for Keys {
         Some(2)
     }
 
+    fn chain_key(&self) -> Option<&'static str> {
+        None
+    }
+
     fn instead_of_chain(&self) -> &'static str {
         "`[observer.window]` takes a plant of your own"
     }
 
-    fn cannot(&self, feature: Feature, _plant: &Plant) -> Option<Cannot> {
-        crate::baseline::cannot(feature)
+    fn cannot(&self, feature: Feature, plant: &Plant) -> Option<Cannot> {
+        crate::baseline::cannot(feature, plant)
     }
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {

@@ -84,12 +84,16 @@ impl Keyed for Keys {
         Some(self.order)
     }
 
+    fn chain_key(&self) -> Option<&'static str> {
+        None
+    }
+
     fn instead_of_chain(&self) -> &'static str {
         "`[observer.luenberger]` and `[observer.kalman]` have a constant gain for a plant of your own"
     }
 
-    fn cannot(&self, feature: Feature, _plant: &Plant) -> Option<Cannot> {
-        crate::corrector::cannot(feature)
+    fn cannot(&self, feature: Feature, plant: &Plant) -> Option<Cannot> {
+        crate::corrector::cannot(feature, plant)
     }
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {

@@ -4,7 +4,8 @@ use std::ops::Range;
 
 use super::Keyed;
 use crate::diagnostic::{Diagnostic, codes};
-use crate::plant::Plant;
+use crate::plant::{Output, Plant};
+use crate::program::Scalar;
 
 /// What a specification may ask of any method.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -94,4 +95,23 @@ fn asked(plant: &Plant) -> Vec<(Feature, Range<usize>)> {
     asked.extend(plant.init_at.then(|| (Feature::InitAt, plant.span.clone())));
     asked.extend(plant.coasted.then(|| (Feature::Coasted, plant.span.clone())));
     asked
+}
+
+/// Why a method that works with positions cannot take a counter: singles do not hold every count of 32 bits, but where a
+/// turn divides them.
+pub fn cannot_count(plant: &Plant) -> Option<Cannot> {
+    let holds = |output: &Output| {
+        let Some(counter) = output.counter else { return true };
+        let turn = output.wrap.as_ref().and_then(|wrap| match &output.quantum {
+            Some(quantum) => wrap.turn.over(quantum).ok()?.to_f64().ok(),
+            None => wrap.turn.to_f64().ok(),
+        });
+        // A power of two below 2^24 counts.
+        let divides = turn.is_some_and(|turn| turn <= 16_777_216.0 && turn.to_bits().trailing_zeros() >= 52);
+        plant.scalar == Scalar::F64 || counter.bits == 16 || divides
+    };
+    (!plant.outputs.iter().all(holds)).then_some(Cannot {
+        why: "it works with positions, and single precision does not hold every count of 32 bits",
+        instead: "write `wrap`, a power of two of counts, or `scalar = \"f64\"`, or use `window`, which takes differences",
+    })
 }

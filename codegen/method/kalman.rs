@@ -54,8 +54,8 @@ fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
 const RESIDUAL: f64 = 1e-30;
 
 impl Keyed for Keys {
-    fn cannot(&self, feature: Feature, _plant: &Plant) -> Option<Cannot> {
-        if feature == Feature::Every { None } else { crate::corrector::cannot(feature) }
+    fn cannot(&self, feature: Feature, plant: &Plant) -> Option<Cannot> {
+        if feature == Feature::Every { None } else { crate::corrector::cannot(feature, plant) }
     }
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {

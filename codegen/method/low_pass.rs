@@ -3,8 +3,8 @@
 //! **Idea.** With each change of the signal a new quotient, the change over the time since the change before; held until
 //! the next, and filtered at every call: `v = a v + (1 - a) q`, `a = T / (T + h)`.
 //!
-//! **Source.** What open motor controllers ship (SimpleFOC's `Sensor` and `LowPassFilter`), in own words: nothing of it is
-//! theirs but the formula. See [`crate::baseline`].
+//! **Source.** What open motor controllers ship (`SimpleFOC`'s `Sensor` and `LowPassFilter`), in own words: nothing of it
+//! is theirs but the formula. See [`crate::baseline`].
 //!
 //! **Conditions.** One output without delay. No certificate: the formula is not linear in the samples.
 
@@ -57,12 +57,16 @@ impl Keyed for Keys {
         Some(2)
     }
 
+    fn chain_key(&self) -> Option<&'static str> {
+        None
+    }
+
     fn instead_of_chain(&self) -> &'static str {
         "`[observer.window]` takes a plant of your own"
     }
 
-    fn cannot(&self, feature: Feature, _plant: &Plant) -> Option<Cannot> {
-        crate::baseline::cannot(feature)
+    fn cannot(&self, feature: Feature, plant: &Plant) -> Option<Cannot> {
+        crate::baseline::cannot(feature, plant)
     }
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {

@@ -53,8 +53,8 @@ fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
 }
 
 impl Keyed for Keys {
-    fn cannot(&self, feature: Feature, _plant: &Plant) -> Option<Cannot> {
-        crate::corrector::cannot(feature)
+    fn cannot(&self, feature: Feature, plant: &Plant) -> Option<Cannot> {
+        crate::corrector::cannot(feature, plant)
     }
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {

@@ -5,7 +5,7 @@
 //! beta = ki h^2.
 //!
 //! **Source.** Gardner 2005, "Phaselock Techniques", chapter 2, for the loop of second order; in this sampled form
-//! what motor drives ship (ODrive, moteus, Tinymovr, VESC).
+//! what motor drives ship (`ODrive`, moteus, Tinymovr, VESC).
 //!
 //! **Conditions.** One output without delay; kp h below 1, as drives demand: a sample never pulls the position past it.
 
@@ -55,12 +55,16 @@ impl Keyed for Keys {
         Some(2)
     }
 
+    fn chain_key(&self) -> Option<&'static str> {
+        None
+    }
+
     fn instead_of_chain(&self) -> &'static str {
         "`[observer.luenberger]` and `[observer.kalman]` have a constant gain for a plant of your own"
     }
 
-    fn cannot(&self, feature: Feature, _plant: &Plant) -> Option<Cannot> {
-        crate::corrector::cannot(feature)
+    fn cannot(&self, feature: Feature, plant: &Plant) -> Option<Cannot> {
+        crate::corrector::cannot(feature, plant)
     }
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {

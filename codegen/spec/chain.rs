@@ -62,10 +62,14 @@ fn refuse_another_plant(spec: &Spec, top: &Table) {
     let keyed = &spec.observer.keyed;
     let place: Range<usize> = spec.observer.method.span.clone();
     for key in ["states", "plant"].into_iter().filter(|key| top.has(key)) {
-        let message =
-            format!("`order` in [observer.{}] stands for a plant, and [{key}] is one", spec.observer.method.value);
+        let method = &spec.observer.method.value;
+        let (subject, label) = match keyed.chain_key() {
+            Some(key) => (format!("`{key}` in [observer.{method}]"), format!("`{key}` is given here")),
+            None => (format!("[observer.{method}]"), "the method".to_owned()),
+        };
+        let message = format!("{subject} stands for a plant, and [{key}] is one");
         let error = Diagnostic::error(codes::BAD_COMBINATION, top.key_span(key), message);
-        top.report(error.context(place.clone(), "`order` is given here").help(keyed.instead_of_chain()));
+        top.report(error.context(place.clone(), label).help(keyed.instead_of_chain()));
     }
     let inputs = spec.inputs.iter().map(|Input { named, .. }| (named, "input"));
     let unknowns = spec.unknowns.iter().map(|named| (named, "unknown"));
@@ -79,7 +83,9 @@ fn refuse_another_plant(spec: &Spec, top: &Table) {
 fn refuse_outputs(spec: &Spec, top: &Table) {
     // None at all is reported where outputs are read.
     let [_, second, ..] = spec.outputs.as_slice() else { return };
-    let message = format!("`order` is for one output, and there are {}", spec.outputs.len());
+    let method = || format!("[observer.{}]", spec.observer.method.value);
+    let subject = spec.observer.keyed.chain_key().map_or_else(method, |key| format!("`{key}`"));
+    let message = format!("{subject} is for one output, and there are {}", spec.outputs.len());
     let error = Diagnostic::error(codes::BAD_COMBINATION, second.named.name.span.clone(), message);
     top.report(error.help("put each signal into a file of its own"));
 }

@@ -540,8 +540,8 @@ typedef struct {
     int flags[2]; /* t97, t98 */
 } motor_known_start_work;
 
-/* Part 2 of a step. */
-static void motor_known_start_part_2(motor_known_start_state *state, const motor_known_start_measurements *measurements, const motor_known_start_inputs *inputs, motor_known_start_work *work)
+/* Part 1 of a step. */
+static void motor_known_start_part_1(motor_known_start_state *state, const motor_known_start_measurements *measurements, const motor_known_start_inputs *inputs, motor_known_start_work *work)
 {
     /* samples: outside its range, infinite or NaN means missing */
     const uint32_t t0 = state->newest;
@@ -572,14 +572,14 @@ static void motor_known_start_part_2(motor_known_start_state *state, const motor
     const float t26 = t15 + t25;
     const int t27 = (-1e35f <= t26) && (t26 <= 1e35f);
     const int t28 = t4 && t27;
-    const int t29 = t6 || t28;
-    const int t30 = !t29;
-    const float t31 = t28 ? t26 : t16;
-    work->t32 = t6 ? t5 : t31;
+    const float t29 = t28 ? t26 : t16;
+    const int t30 = t6 || t28;
+    const int t31 = !t30;
+    work->t32 = t6 ? t5 : t29;
 
     /* how much of the window is good */
     const uint32_t t35 = (t2 < 41U) ? (t2 + 1U) : 41U;
-    const uint32_t t36 = t30 ? 0U : t35;
+    const uint32_t t36 = t31 ? 0U : t35;
     const uint32_t t37 = t8 ? t35 : 1U;
     const uint32_t t38 = t6 ? t37 : 0U;
     work->t39 = t4 ? t36 : t38;
@@ -591,8 +591,8 @@ static void motor_known_start_part_2(motor_known_start_state *state, const motor
     state->coasting = t44;
 }
 
-/* Part 3 of a step. */
-static void motor_known_start_part_3(motor_known_start_state *state, motor_known_start_work *work)
+/* Part 2 of a step. */
+static void motor_known_start_part_2(motor_known_start_state *state, motor_known_start_work *work)
 {
     /* from the given state, until there is an estimate */
     const uint32_t t45 = ((work->t11 >= 1U) && (work->t11 < 41U)) ? (work->t11 - 1U) : 40U;
@@ -644,8 +644,8 @@ static void motor_known_start_part_3(motor_known_start_state *state, motor_known
     state->sin_q[work->t11] = work->t21;
 }
 
-/* Part 4 of a step. */
-static void motor_known_start_part_4(motor_known_start_state *state, motor_known_start_work *work)
+/* Part 3 of a step. */
+static void motor_known_start_part_3(motor_known_start_state *state, motor_known_start_work *work)
 {
     /* the sums over the window, newest sample first */
     float t100 = 0.0f;
@@ -733,8 +733,8 @@ static void motor_known_start_part_4(motor_known_start_state *state, motor_known
     state->ahead_y = t173;
 }
 
-/* Part 5 of a step. */
-static void motor_known_start_part_5(motor_known_start_state *state, motor_known_start_work *work)
+/* Part 4 of a step. */
+static void motor_known_start_part_4(motor_known_start_state *state, motor_known_start_work *work)
 {
     /* the estimate; until the window is full, the start */
     const int t174 = 40U < work->t39;
@@ -820,10 +820,10 @@ void motor_known_start_step(motor_known_start_state *state, const motor_known_st
                             const motor_known_start_inputs *inputs, motor_known_start_estimate *estimate)
 {
     motor_known_start_work work;
-    motor_known_start_part_2(state, measurements, inputs, &work);
+    motor_known_start_part_1(state, measurements, inputs, &work);
+    motor_known_start_part_2(state, &work);
     motor_known_start_part_3(state, &work);
     motor_known_start_part_4(state, &work);
-    motor_known_start_part_5(state, &work);
 
     estimate->q = work.t183;
     estimate->dq = work.t185;

@@ -31,8 +31,8 @@ typedef struct {
     oscillator_known_start_status t103;
 } oscillator_known_start_work;
 
-/* Part 2 of a step. */
-static void oscillator_known_start_part_2(oscillator_known_start_state *state, const oscillator_known_start_measurements *measurements, const oscillator_known_start_inputs *inputs, oscillator_known_start_work *work)
+/* Part 1 of a step. */
+static void oscillator_known_start_part_1(oscillator_known_start_state *state, const oscillator_known_start_measurements *measurements, const oscillator_known_start_inputs *inputs, oscillator_known_start_work *work)
 {
     /* samples: outside its range, infinite or NaN means missing */
     const float t0 = measurements->position;
@@ -125,8 +125,8 @@ static void oscillator_known_start_part_2(oscillator_known_start_state *state, c
     state->given = t95;
 }
 
-/* Part 3 of a step. */
-static void oscillator_known_start_part_3(oscillator_known_start_work *work)
+/* Part 2 of a step. */
+static void oscillator_known_start_part_2(oscillator_known_start_work *work)
 {
     /* the estimate */
     const int t100 = 90U < work->t88;
@@ -176,8 +176,8 @@ void oscillator_known_start_step(oscillator_known_start_state *state, const osci
                                  const oscillator_known_start_inputs *inputs, oscillator_known_start_estimate *estimate)
 {
     oscillator_known_start_work work;
-    oscillator_known_start_part_2(state, measurements, inputs, &work);
-    oscillator_known_start_part_3(&work);
+    oscillator_known_start_part_1(state, measurements, inputs, &work);
+    oscillator_known_start_part_2(&work);
 
     estimate->position = work.t80;
     estimate->speed = work.t81;

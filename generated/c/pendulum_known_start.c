@@ -360,8 +360,8 @@ typedef struct {
     int flags[6]; /* t2, t5, t8, t33, t57, t70 */
 } pendulum_known_start_work;
 
-/* Part 2 of a step. */
-static void pendulum_known_start_part_2(const pendulum_known_start_state *state, const pendulum_known_start_measurements *measurements, pendulum_known_start_work *work)
+/* Part 1 of a step. */
+static void pendulum_known_start_part_1(const pendulum_known_start_state *state, const pendulum_known_start_measurements *measurements, pendulum_known_start_work *work)
 {
     /* samples: outside its range, infinite or NaN means missing */
     work->t0 = state->count;
@@ -429,8 +429,8 @@ static void pendulum_known_start_part_2(const pendulum_known_start_state *state,
     work->flags[5] = work->flags[4] && t69;
 }
 
-/* Part 3 of a step. */
-static void pendulum_known_start_part_3(pendulum_known_start_state *state, pendulum_known_start_work *work)
+/* Part 2 of a step. */
+static void pendulum_known_start_part_2(pendulum_known_start_state *state, pendulum_known_start_work *work)
 {
     /* how much of the period is good */
     const int t71 = work->flags[3] || work->flags[5];
@@ -534,8 +534,8 @@ void pendulum_known_start_step(pendulum_known_start_state *state, const pendulum
                                pendulum_known_start_estimate *estimate)
 {
     pendulum_known_start_work work;
-    pendulum_known_start_part_2(state, measurements, &work);
-    pendulum_known_start_part_3(state, &work);
+    pendulum_known_start_part_1(state, measurements, &work);
+    pendulum_known_start_part_2(state, &work);
 
     estimate->theta = work.t34;
     estimate->omega = work.t111;

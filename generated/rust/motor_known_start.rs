@@ -388,10 +388,10 @@ impl Observer {
     /// gives the estimate.
     pub fn step(&mut self, measurements: Measurements, inputs: Inputs) -> Estimate {
         let mut work = Work::EMPTY;
-        self.part_2(measurements, inputs, &mut work);
+        self.part_1(measurements, inputs, &mut work);
+        self.part_2(&mut work);
         self.part_3(&mut work);
         self.part_4(&mut work);
-        self.part_5(&mut work);
         Estimate {
             q: work.t183,
             dq: work.t185,
@@ -400,8 +400,8 @@ impl Observer {
         }
     }
 
-    /// Part 2 of a step.
-    fn part_2(&mut self, measurements: Measurements, inputs: Inputs, work: &mut Work) {
+    /// Part 1 of a step.
+    fn part_1(&mut self, measurements: Measurements, inputs: Inputs, work: &mut Work) {
         // samples: outside its range, infinite or NaN means missing
         let t000 = self.newest;
         let t001 = t000.min(40);
@@ -431,14 +431,14 @@ impl Observer {
         let t026 = t015 + t025;
         let t027 = (-1e35..=1e35).contains(&t026);
         let t028 = t004 && t027;
-        let t029 = t006 || t028;
-        let t030 = !t029;
-        let t031 = if t028 { t026 } else { t016 };
-        work.t032 = if t006 { t005 } else { t031 };
+        let t029 = if t028 { t026 } else { t016 };
+        let t030 = t006 || t028;
+        let t031 = !t030;
+        work.t032 = if t006 { t005 } else { t029 };
 
         // how much of the window is good
         let t035 = if t002 < 41 { t002 + 1 } else { 41 };
-        let t036 = if t030 { 0 } else { t035 };
+        let t036 = if t031 { 0 } else { t035 };
         let t037 = if t008 { t035 } else { 1 };
         let t038 = if t006 { t037 } else { 0 };
         work.t039 = if t004 { t036 } else { t038 };
@@ -450,8 +450,8 @@ impl Observer {
         self.coasting = t044;
     }
 
-    /// Part 3 of a step.
-    fn part_3(&mut self, work: &mut Work) {
+    /// Part 2 of a step.
+    fn part_2(&mut self, work: &mut Work) {
         // from the given state, until there is an estimate
         let t045 = work.t011.wrapping_sub(1).min(40);
         let t046 = self.sin_q[t045];
@@ -502,8 +502,8 @@ impl Observer {
         self.sin_q[work.t011.min(40)] = work.t021;
     }
 
-    /// Part 4 of a step.
-    fn part_4(&mut self, work: &mut Work) {
+    /// Part 3 of a step.
+    fn part_3(&mut self, work: &mut Work) {
         // the sums over the window, newest sample first
         let mut t100: f32 = 0.0;
         let mut t101: f32 = 0.0;
@@ -589,8 +589,8 @@ impl Observer {
         self.ahead_y = t173;
     }
 
-    /// Part 5 of a step.
-    fn part_5(&mut self, work: &mut Work) {
+    /// Part 4 of a step.
+    fn part_4(&mut self, work: &mut Work) {
         // the estimate; until the window is full, the start
         let t174 = 40 < work.t039;
         let t175 = !t174;

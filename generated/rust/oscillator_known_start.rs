@@ -165,8 +165,8 @@ impl Observer {
     /// gives the estimate.
     pub fn step(&mut self, measurements: Measurements, inputs: Inputs) -> Estimate {
         let mut work = Work::EMPTY;
-        self.part_2(measurements, inputs, &mut work);
-        Self::part_3(&mut work);
+        self.part_1(measurements, inputs, &mut work);
+        Self::part_2(&mut work);
         Estimate {
             position: work.t080,
             speed: work.t081,
@@ -174,8 +174,8 @@ impl Observer {
         }
     }
 
-    /// Part 2 of a step.
-    fn part_2(&mut self, measurements: Measurements, inputs: Inputs, work: &mut Work) {
+    /// Part 1 of a step.
+    fn part_1(&mut self, measurements: Measurements, inputs: Inputs, work: &mut Work) {
         // samples: outside its range, infinite or NaN means missing
         let t000 = measurements.position;
         let t001 = (-1e35..=1e35).contains(&t000);
@@ -267,8 +267,8 @@ impl Observer {
         self.given = t095;
     }
 
-    /// Part 3 of a step.
-    fn part_3(work: &mut Work) {
+    /// Part 2 of a step.
+    fn part_2(work: &mut Work) {
         // the estimate
         let t100 = 90 < work.t088;
         let t101 = 39 < work.t093;

@@ -177,8 +177,8 @@ impl Observer {
     /// One sample: takes the measurements, gives the estimate.
     pub fn step(&mut self, measurements: Measurements) -> Estimate {
         let mut work = Work::EMPTY;
-        self.part_2(measurements, &mut work);
-        self.part_3(&mut work);
+        self.part_1(measurements, &mut work);
+        self.part_2(&mut work);
         Estimate {
             theta: work.t034,
             omega: work.t111,
@@ -186,8 +186,8 @@ impl Observer {
         }
     }
 
-    /// Part 2 of a step.
-    fn part_2(&self, measurements: Measurements, work: &mut Work) {
+    /// Part 1 of a step.
+    fn part_1(&self, measurements: Measurements, work: &mut Work) {
         // samples: outside its range, infinite or NaN means missing
         work.t000 = self.count;
         work.flags[0] = 50 < work.t000;
@@ -254,8 +254,8 @@ impl Observer {
         work.flags[5] = work.flags[4] && t069;
     }
 
-    /// Part 3 of a step.
-    fn part_3(&mut self, work: &mut Work) {
+    /// Part 2 of a step.
+    fn part_2(&mut self, work: &mut Work) {
         // how much of the period is good
         let t071 = work.flags[3] || work.flags[5];
         let t073 = if work.t000 < 51 { work.t000 + 1 } else { 51 };

@@ -13,7 +13,7 @@ use super::super::replay::{Replay, Sample};
 use super::super::{Failure, read_spec, show};
 use super::group::Group;
 use super::score::{Pair, Score};
-use super::track::Track;
+use super::track::{self, Track};
 
 /// What came out.
 pub struct Contest {
@@ -88,7 +88,8 @@ impl Contest {
         let Some(entrants) = entrants(group, settings)? else { return Ok(None) };
         let read: Vec<_> = entrants.iter().map(|it| (&it.generated.plant, &it.interface)).collect();
         group.signals.check(&read)?;
-        let elsewhere = group.reference_log.as_ref().map(|_| references_elsewhere(group)).transpose()?;
+        let columns: Vec<&str> = group.signals.reference.iter().map(|(_, column)| column.as_str()).collect();
+        let elsewhere = group.reference_log.as_deref().map(|path| track::read(path, &columns)).transpose()?;
         let mut contest = replayed(group, &entrants)?;
         let times = contest.times.clone();
         for (r, quantity) in contest.quantities.iter_mut().enumerate() {
@@ -164,35 +165,6 @@ fn places(interface: &Interface, signals: &Signals, file: &str) -> Result<Vec<us
         })
     };
     signals.reference.iter().map(place).collect()
-}
-
-/// Reads the references from a recording of their own.
-fn references_elsewhere(group: &Group) -> Result<Vec<Track>, Failure> {
-    let Some(path) = &group.reference_log else { return Ok(Vec::new()) };
-    let (source, name) = open(path)?;
-    let mut recording = Recording::open(source, &name).map_err(|error| explained(&error))?;
-    let mut selection = Selection::default();
-    let time = selection.place("t".into());
-    let columns: Vec<usize> =
-        group.signals.reference.iter().map(|(_, column)| selection.place(column.clone())).collect();
-    let mut cells = vec![0.0; selection.apply(&mut recording).map_err(|error| explained(&error))?];
-    let mut tracks = vec![Track::default(); columns.len()];
-    let mut before = f64::NEG_INFINITY;
-    while recording.next_row(&mut cells).map_err(|error| explained(&error))? {
-        let now = cells[time];
-        if now.is_nan() || now <= before {
-            let line = recording.line();
-            return Err(Failure::Wrong(format!(
-                "{name}:{line}: column `t`: the time does not rise: {now} s behind {before} s"
-            )));
-        }
-        before = now;
-        for (track, place) in tracks.iter_mut().zip(&columns) {
-            track.times.push(now);
-            track.values.push(cells[*place]);
-        }
-    }
-    Ok(tracks)
 }
 
 /// Feeds the recording to all of them.

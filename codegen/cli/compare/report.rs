@@ -41,7 +41,7 @@ fn heading(quantity: &Quantity) -> String {
 fn compared(contest: &Contest, quantity: &Quantity) -> String {
     match (quantity.compared.first(), quantity.compared.last()) {
         (Some(first), Some(last)) => format!(
-            "errors over the {} of {} rows on which every estimate has converged (rows {} to {})",
+            "errors over the {} of {} rows that all have converged on (rows {} to {})",
             quantity.compared.len(),
             contest.rows,
             first + 1,
@@ -53,7 +53,7 @@ fn compared(contest: &Contest, quantity: &Quantity) -> String {
                 || "the reference is known on none of them".to_owned(),
                 |rival| format!("`{}` never does", rival.name),
             );
-            format!("nothing to compare: on none of {} rows every estimate has converged; {why}", contest.rows)
+            format!("nothing to compare: all have converged on none of {} rows; {why}", contest.rows)
         }
     }
 }

@@ -140,7 +140,7 @@ mod tests {
 
     #[test]
     fn what_does_not_move_has_no_lag() {
-        assert_eq!(score(|t| t.sin(), |_| 1.0).lag, None);
+        assert_eq!(score(f64::sin, |_| 1.0).lag, None);
         assert_eq!(score(|_| 1.0, |_| 1.0).lag, None);
         assert!(score(|_| f64::NAN, |t| t).rms.is_none());
     }

@@ -72,7 +72,7 @@ fn text_is_escaped() {
 fn a_gap_interrupts_the_line_and_a_lone_point_is_a_dot() {
     let points = vec![(0.0, 0.0), (0.5, 1.0), (0.6, f64::NAN), (1.0, 1.0)];
     let svg = figure(points, Role::Estimate).to_string();
-    let path = svg.lines().find(|line| line.contains("#0072b2")).unwrap();
+    let path = svg.lines().find(|line| line.contains("#0072b2\" stroke-width=\"1.15")).unwrap();
     assert_eq!((path.matches('M').count(), path.matches('L').count(), path.matches("h0").count()), (2, 1, 1));
 }
 

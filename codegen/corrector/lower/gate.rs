@@ -12,10 +12,10 @@ use crate::window::lower::injections::round;
 use super::super::Corrector;
 use super::{Lowering, Predicted, calls};
 
-/// Rejected samples in a row that start the observer again.
+/// Rejected samples in a row that start the observer again: by default as many as convergence takes, and one alone never.
 fn limit(plant: &Plant, design: &Corrector, output: usize) -> Option<u32> {
     let gate = plant.outputs[output].gate.as_ref()?;
-    Some(gate.limit.unwrap_or_else(|| calls(design.valid)).max(1))
+    Some(gate.limit.unwrap_or_else(|| calls(design.valid).max(2)).max(1))
 }
 
 /// Per output with a gate, its count.

@@ -148,8 +148,6 @@ pub(super) fn declare(builder: &mut Builder, plant: &Plant, functional: &Functio
         )
     });
     let missed = missed.collect();
-    // Where samples are left out, the solve keeps these.
-    let predicts = functional.irregular.is_none();
     let rejected = plant.outputs.iter().map(|output| {
         let name = &output.label.name;
         let doc = format!("samples of {name} rejected in a row");
@@ -181,7 +179,8 @@ pub(super) fn declare(builder: &mut Builder, plant: &Plant, functional: &Functio
         }
     }
     let calls = builder.index_cell("calls", "calls since init", 0);
-    let coasted = plant.coasted && predicts;
+    // Where samples are left out, the solve keeps this.
+    let coasted = plant.coasted && functional.irregular.is_none();
     let coasted = coasted.then(|| builder.index_cell("since", "calls since a sample was accepted", 0));
     let memory = functional.irregular.as_ref().map(|_| memory(builder, plant, functional));
     Cells {

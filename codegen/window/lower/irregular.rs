@@ -101,18 +101,25 @@ impl Lowering<'_> {
         let known = b.read(memory.known);
         let mut usable = b.index_equal(known, one);
         let mut estimate = Vec::new();
-        let mut foreseen: Vec<Value> = (0..solved.len())
-            .map(|i| predicted(b, irregular, pass.scalar, memory.next[i], i, &sampled.signals))
-            .collect();
+        let mut turned: Option<Vec<Value>> = None;
         for (o, wrap) in pass.turning() {
+            let n = solved.len();
+            let mut state = turned.take().unwrap_or_else(|| {
+                (0..n).map(|i| predicted(b, irregular, pass.scalar, memory.next[i], i, &sampled.signals)).collect()
+            });
             let turn = round(&wrap.turn, pass.scalar);
-            let shown = row(b, pass.scalar, &irregular.c, o, &foreseen);
+            let shown = row(b, pass.scalar, &irregular.c, o, &state);
             let turns = front::turns(b, shown, turn);
             let back = b.float(-turn);
             let back = b.mul(turns, back);
-            shift(b, pass.scalar, wrap, &mut foreseen, back);
+            shift(b, pass.scalar, wrap, &mut state, back);
+            turned = Some(state);
         }
-        for (solved, predicted) in solved.into_iter().zip(foreseen) {
+        for (i, solved) in solved.into_iter().enumerate() {
+            let predicted = match &turned {
+                Some(state) => state[i],
+                None => predicted(b, irregular, pass.scalar, memory.next[i], i, &sampled.signals),
+            };
             let sane = b.in_range(predicted, -bound, bound);
             usable = b.and(usable, sane);
             estimate.push(b.select(enough, solved, predicted));
