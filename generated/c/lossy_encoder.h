@@ -21,8 +21,8 @@
  *   error bound from noise and disturbances  0.001322  0.102     3.519
  *
  * Cost       1981 multiplications, 1849 additions, 6 divisions a call, the same for every call
- * Memory     state 1076 bytes, constants 1560 bytes
- *            at most: stack 1772 bytes, flash 8100 bytes without elementary functions
+ * Memory     state 1080 bytes, constants 1560 bytes
+ *            at most: stack 1796 bytes, flash 8244 bytes without elementary functions
  *
  * Contract:
  *  1. No heap, no recursion, no global or static mutable data, no file or console, no library.
@@ -64,6 +64,7 @@ typedef struct {
     float q;                     /* rad */
     float dq;                    /* rad/s */
     float ddq;                   /* rad/s^2 */
+    uint32_t coasted;            /* calls since the newest accepted sample */
     lossy_encoder_status status; /* what the step says of this estimate */
 } lossy_encoder_estimate;
 
@@ -78,6 +79,7 @@ typedef struct {
     float next_dq;     /* dq as the model predicts it, as far as known */
     float next_ddq;    /* ddq as the model predicts it, as far as known */
     uint32_t known;    /* whether that comes from an estimate */
+    uint32_t since;    /* calls since a sample was accepted */
 } lossy_encoder_state;
 
 /* Back to the state before the first sample. */

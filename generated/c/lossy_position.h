@@ -24,8 +24,8 @@
  *   on top: nonlinear terms are straight lines between samples, second order in the sample time
  *
  * Cost       2239 multiplications, 1880 additions, 10 divisions, 1 tanh a call, the same for every call
- * Memory     state 1028 bytes, constants 1280 bytes
- *            at most: stack 4276 bytes, flash 16480 bytes without elementary functions
+ * Memory     state 1032 bytes, constants 1280 bytes
+ *            at most: stack 4308 bytes, flash 16652 bytes without elementary functions
  *
  * Contract:
  *  1. No heap, no recursion, no global or static mutable data, no file or console, no library.
@@ -74,6 +74,7 @@ typedef struct {
     float speed;                  /* m/s */
     float slope;                  /* gravity along the road, constant; m/s^2 */
     float wheel;                  /* wheel speed, a first-order lag behind the speed; m/s */
+    uint32_t coasted;             /* calls since the newest accepted sample */
     lossy_position_status status; /* what the step says of this estimate */
 } lossy_position_estimate;
 
@@ -96,6 +97,7 @@ typedef struct {
     float next_wheel;        /* wheel as the model predicts it, as far as known */
     uint32_t known;          /* whether that comes from an estimate */
     uint32_t slot_camera;    /* slot of the time that the newest sample shows */
+    uint32_t since;          /* calls since a sample was accepted */
 } lossy_position_state;
 
 /* Back to the state before the first sample. */

@@ -22,8 +22,8 @@
 //!   error bound from noise and disturbances  0.001322  0.102     3.519
 //!
 //! Cost       1981 multiplications, 1849 additions, 6 divisions a call, the same for every call
-//! Memory     state 1076 bytes, constants 1560 bytes
-//!            at most: stack 1772 bytes, flash 8100 bytes without elementary functions
+//! Memory     state 1080 bytes, constants 1560 bytes
+//!            at most: stack 1796 bytes, flash 8244 bytes without elementary functions
 //!
 //! Contract:
 //!  1. No heap, no recursion, no global or static mutable data, no file or console, no library.
@@ -59,6 +59,8 @@ pub struct Estimate {
     pub dq: f32,
     /// rad/s^2
     pub ddq: f32,
+    /// calls since the newest accepted sample
+    pub coasted: u32,
     /// what the step says of this estimate
     pub status: Status,
 }
@@ -84,6 +86,8 @@ pub struct Observer {
     next_ddq: f32,
     /// whether that comes from an estimate
     known: usize,
+    /// calls since a sample was accepted
+    since: usize,
 }
 
 /// orthonormal rows of the window, oldest first
@@ -228,9 +232,7 @@ static ROWS: [[f32; 3]; 130] = [
 struct Work {
     t004: usize,
     t008: f32,
-    t046: f32,
-    t047: f32,
-    t048: f32,
+    t014: usize,
     t049: f32,
     t050: f32,
     t051: f32,
@@ -240,14 +242,17 @@ struct Work {
     t055: f32,
     t056: f32,
     t057: f32,
-    t137: f32,
-    t143: f32,
+    t058: f32,
+    t059: f32,
+    t060: f32,
+    t140: f32,
     t146: f32,
-    t178: f32,
-    t179: f32,
-    t180: f32,
-    t188: Status,
-    /// t17, t120
+    t149: f32,
+    t181: f32,
+    t182: f32,
+    t183: f32,
+    t191: Status,
+    /// t20, t123
     flags: [bool; 2],
 }
 
@@ -256,9 +261,7 @@ impl Work {
     const EMPTY: Self = Self {
         t004: 0,
         t008: 0.0,
-        t046: 0.0,
-        t047: 0.0,
-        t048: 0.0,
+        t014: 0,
         t049: 0.0,
         t050: 0.0,
         t051: 0.0,
@@ -268,13 +271,16 @@ impl Work {
         t055: 0.0,
         t056: 0.0,
         t057: 0.0,
-        t137: 0.0,
-        t143: 0.0,
+        t058: 0.0,
+        t059: 0.0,
+        t060: 0.0,
+        t140: 0.0,
         t146: 0.0,
-        t178: 0.0,
-        t179: 0.0,
-        t180: 0.0,
-        t188: Status::Converging,
+        t149: 0.0,
+        t181: 0.0,
+        t182: 0.0,
+        t183: 0.0,
+        t191: Status::Converging,
         flags: [false; 2],
     };
 }
@@ -293,6 +299,7 @@ impl Observer {
             next_dq: 0.0,
             next_ddq: 0.0,
             known: 0,
+            since: 0,
         }
     }
 
@@ -304,10 +311,11 @@ impl Observer {
         Self::part_3(&mut work);
         self.part_4(&mut work);
         Estimate {
-            q: work.t178,
-            dq: work.t179,
-            ddq: work.t180,
-            status: work.t188,
+            q: work.t181,
+            dq: work.t182,
+            ddq: work.t183,
+            coasted: ::deadbeat::math::u32_from_index(work.t014),
+            status: work.t191,
         }
     }
 
@@ -323,211 +331,215 @@ impl Observer {
         work.t008 = if t003 { t002 } else { t007 };
         let t009 = if t003 { 1.0 } else { 0.0 };
         let t010 = self.count;
+        let t012 = self.since;
+        let t013 = if t012 < 4_294_967_295 { t012 + 1 } else { 4_294_967_295 };
+        work.t014 = if t003 { 0 } else { t013 };
+        self.since = work.t014;
 
         // how much of the window is good
-        let t014 = if t010 < 131 { t010 + 1 } else { 131 };
-        self.count = t014;
-        let t015 = self.coasting;
-        let t016 = t015.saturating_sub(1);
-        self.coasting = t016;
+        let t017 = if t010 < 131 { t010 + 1 } else { 131 };
+        self.count = t017;
+        let t018 = self.coasting;
+        let t019 = t018.saturating_sub(1);
+        self.coasting = t019;
 
         // into the window
         self.newest = work.t004;
         self.y[work.t004.min(130)] = work.t008;
         self.has_y[work.t004.min(130)] = t009;
-        work.flags[0] = 130 < t014;
+        work.flags[0] = 130 < t017;
     }
 
     /// Part 2 of a step.
     fn part_2(&self, work: &mut Work) {
         // rows of the window, oldest first; those without a sample count nothing
-        let t018 = if work.t004 < 130 { work.t004 + 1 } else { 0 };
-        let t022 = self.has_y[t018];
-        let t023 = self.y[t018];
-        let t024 = t023 - 0.0;
-        let t025 = t022 * 0.087_370_4;
-        let t026 = t022 * -0.150_179_16;
-        let t027 = t022 * 0.190_942_72;
-        let t028 = t025 * t025;
-        let t029 = 0.0 + t028;
-        let t030 = t025 * t026;
-        let t031 = 0.0 + t030;
-        let t032 = t025 * t027;
-        let t033 = 0.0 + t032;
-        let t034 = t026 * t026;
-        let t035 = 0.0 + t034;
-        let t036 = t026 * t027;
-        let t037 = 0.0 + t036;
-        let t038 = t027 * t027;
-        let t039 = 0.0 + t038;
-        let t040 = t025 * t024;
-        let t041 = 0.0 + t040;
-        let t042 = t026 * t024;
-        let t043 = 0.0 + t042;
-        let t044 = t027 * t024;
-        let t045 = 0.0 + t044;
-        work.t046 = t029;
-        work.t047 = t031;
-        work.t048 = t033;
-        work.t049 = t035;
-        work.t050 = t037;
-        work.t051 = t039;
-        work.t052 = t041;
-        work.t053 = t043;
-        work.t054 = t045;
-        work.t055 = 0.0;
-        work.t056 = 0.0;
-        work.t057 = 0.0;
-        let mut t058: usize = t018;
+        let t021 = if work.t004 < 130 { work.t004 + 1 } else { 0 };
+        let t025 = self.has_y[t021];
+        let t026 = self.y[t021];
+        let t027 = t026 - 0.0;
+        let t028 = t025 * 0.087_370_4;
+        let t029 = t025 * -0.150_179_16;
+        let t030 = t025 * 0.190_942_72;
+        let t031 = t028 * t028;
+        let t032 = 0.0 + t031;
+        let t033 = t028 * t029;
+        let t034 = 0.0 + t033;
+        let t035 = t028 * t030;
+        let t036 = 0.0 + t035;
+        let t037 = t029 * t029;
+        let t038 = 0.0 + t037;
+        let t039 = t029 * t030;
+        let t040 = 0.0 + t039;
+        let t041 = t030 * t030;
+        let t042 = 0.0 + t041;
+        let t043 = t028 * t027;
+        let t044 = 0.0 + t043;
+        let t045 = t029 * t027;
+        let t046 = 0.0 + t045;
+        let t047 = t030 * t027;
+        let t048 = 0.0 + t047;
+        work.t049 = t032;
+        work.t050 = t034;
+        work.t051 = t036;
+        work.t052 = t038;
+        work.t053 = t040;
+        work.t054 = t042;
+        work.t055 = t044;
+        work.t056 = t046;
+        work.t057 = t048;
+        work.t058 = 0.0;
+        work.t059 = 0.0;
+        work.t060 = 0.0;
+        let mut t061: usize = t021;
         for gains in &ROWS {
-            let t059 = if t058 < 130 { t058 + 1 } else { 0 };
-            let t061 = 0.001 * work.t056;
-            let t063 = 5e-7 * work.t057;
-            let t064 = work.t055 + t061;
-            let t065 = t064 + t063;
-            let t066 = 0.001 * work.t057;
-            let t067 = work.t056 + t066;
-            let t068 = gains[0];
-            let t069 = gains[1];
-            let t070 = gains[2];
-            let t071 = self.has_y[t059];
-            let t072 = self.y[t059];
-            let t073 = t072 - t065;
-            let t074 = t071 * t068;
-            let t075 = t071 * t069;
-            let t076 = t071 * t070;
-            let t077 = t074 * t074;
-            let t078 = work.t046 + t077;
-            let t079 = t074 * t075;
-            let t080 = work.t047 + t079;
-            let t081 = t074 * t076;
-            let t082 = work.t048 + t081;
-            let t083 = t075 * t075;
-            let t084 = work.t049 + t083;
-            let t085 = t075 * t076;
-            let t086 = work.t050 + t085;
-            let t087 = t076 * t076;
-            let t088 = work.t051 + t087;
-            let t089 = t074 * t073;
-            let t090 = work.t052 + t089;
-            let t091 = t075 * t073;
-            let t092 = work.t053 + t091;
-            let t093 = t076 * t073;
-            let t094 = work.t054 + t093;
-            let t095 = work.t057 - 0.0;
-            work.t046 = t078;
-            work.t047 = t080;
-            work.t048 = t082;
-            work.t049 = t084;
-            work.t050 = t086;
-            work.t051 = t088;
-            work.t052 = t090;
-            work.t053 = t092;
-            work.t054 = t094;
-            work.t055 = t065;
-            work.t056 = t067;
-            work.t057 = t095;
-            t058 = t059;
+            let t062 = if t061 < 130 { t061 + 1 } else { 0 };
+            let t064 = 0.001 * work.t059;
+            let t066 = 5e-7 * work.t060;
+            let t067 = work.t058 + t064;
+            let t068 = t067 + t066;
+            let t069 = 0.001 * work.t060;
+            let t070 = work.t059 + t069;
+            let t071 = gains[0];
+            let t072 = gains[1];
+            let t073 = gains[2];
+            let t074 = self.has_y[t062];
+            let t075 = self.y[t062];
+            let t076 = t075 - t068;
+            let t077 = t074 * t071;
+            let t078 = t074 * t072;
+            let t079 = t074 * t073;
+            let t080 = t077 * t077;
+            let t081 = work.t049 + t080;
+            let t082 = t077 * t078;
+            let t083 = work.t050 + t082;
+            let t084 = t077 * t079;
+            let t085 = work.t051 + t084;
+            let t086 = t078 * t078;
+            let t087 = work.t052 + t086;
+            let t088 = t078 * t079;
+            let t089 = work.t053 + t088;
+            let t090 = t079 * t079;
+            let t091 = work.t054 + t090;
+            let t092 = t077 * t076;
+            let t093 = work.t055 + t092;
+            let t094 = t078 * t076;
+            let t095 = work.t056 + t094;
+            let t096 = t079 * t076;
+            let t097 = work.t057 + t096;
+            let t098 = work.t060 - 0.0;
+            work.t049 = t081;
+            work.t050 = t083;
+            work.t051 = t085;
+            work.t052 = t087;
+            work.t053 = t089;
+            work.t054 = t091;
+            work.t055 = t093;
+            work.t056 = t095;
+            work.t057 = t097;
+            work.t058 = t068;
+            work.t059 = t070;
+            work.t060 = t098;
+            t061 = t062;
         }
     }
 
     /// Part 3 of a step.
     fn part_3(work: &mut Work) {
         // the window's start from the samples that are there
-        let t097 = 0.015_625 < work.t046;
-        let t098 = if t097 { work.t046 } else { 1.0 };
-        let t099 = work.t047 / t098;
-        let t100 = t099 * work.t047;
-        let t101 = work.t049 - t100;
-        let t102 = t099 * work.t048;
-        let t103 = work.t050 - t102;
-        let t104 = t099 * work.t052;
-        let t105 = work.t053 - t104;
-        let t106 = work.t048 / t098;
-        let t107 = t106 * work.t048;
-        let t108 = work.t051 - t107;
-        let t109 = t106 * work.t052;
-        let t110 = work.t054 - t109;
-        let t111 = 0.015_625 < t101;
-        let t112 = t097 && t111;
-        let t113 = if t111 { t101 } else { 1.0 };
-        let t114 = t103 / t113;
-        let t115 = t114 * t103;
-        let t116 = t108 - t115;
-        let t117 = t114 * t105;
-        let t118 = t110 - t117;
-        let t119 = 0.015_625 < t116;
-        work.flags[1] = t112 && t119;
-        let t121 = if t119 { t116 } else { 1.0 };
-        let t122 = t118 / t121;
-        let t123 = t103 * t122;
-        let t124 = t105 - t123;
-        let t125 = t124 / t113;
-        let t126 = work.t047 * t125;
-        let t127 = work.t052 - t126;
-        let t128 = work.t048 * t122;
-        let t129 = t127 - t128;
-        let t130 = t129 / t098;
-        let t131 = 0.087_370_4 * t130;
-        let t133 = 0.150_179_16 * t125;
-        let t134 = 0.190_942_72 * t122;
-        let t135 = t131 + t133;
-        let t136 = t135 + t134;
-        work.t137 = t136 + work.t055;
-        let t139 = 2.310_448_6 * t125;
-        let t141 = 8.881_057 * t122;
-        let t142 = t139 + t141;
-        work.t143 = t142 + work.t056;
-        let t145 = 136.63164 * t122;
-        work.t146 = t145 + work.t057;
+        let t100 = 0.015_625 < work.t049;
+        let t101 = if t100 { work.t049 } else { 1.0 };
+        let t102 = work.t050 / t101;
+        let t103 = t102 * work.t050;
+        let t104 = work.t052 - t103;
+        let t105 = t102 * work.t051;
+        let t106 = work.t053 - t105;
+        let t107 = t102 * work.t055;
+        let t108 = work.t056 - t107;
+        let t109 = work.t051 / t101;
+        let t110 = t109 * work.t051;
+        let t111 = work.t054 - t110;
+        let t112 = t109 * work.t055;
+        let t113 = work.t057 - t112;
+        let t114 = 0.015_625 < t104;
+        let t115 = t100 && t114;
+        let t116 = if t114 { t104 } else { 1.0 };
+        let t117 = t106 / t116;
+        let t118 = t117 * t106;
+        let t119 = t111 - t118;
+        let t120 = t117 * t108;
+        let t121 = t113 - t120;
+        let t122 = 0.015_625 < t119;
+        work.flags[1] = t115 && t122;
+        let t124 = if t122 { t119 } else { 1.0 };
+        let t125 = t121 / t124;
+        let t126 = t106 * t125;
+        let t127 = t108 - t126;
+        let t128 = t127 / t116;
+        let t129 = work.t050 * t128;
+        let t130 = work.t055 - t129;
+        let t131 = work.t051 * t125;
+        let t132 = t130 - t131;
+        let t133 = t132 / t101;
+        let t134 = 0.087_370_4 * t133;
+        let t136 = 0.150_179_16 * t128;
+        let t137 = 0.190_942_72 * t125;
+        let t138 = t134 + t136;
+        let t139 = t138 + t137;
+        work.t140 = t139 + work.t058;
+        let t142 = 2.310_448_6 * t128;
+        let t144 = 8.881_057 * t125;
+        let t145 = t142 + t144;
+        work.t146 = t145 + work.t059;
+        let t148 = 136.63164 * t125;
+        work.t149 = t148 + work.t060;
     }
 
     /// Part 4 of a step.
     fn part_4(&mut self, work: &mut Work) {
         // without enough samples, the model's prediction
-        let t147 = self.known;
-        let t148 = t147 == 1;
-        let t149 = self.next_q;
-        let t150 = (-1e26..=1e26).contains(&t149);
-        let t151 = t148 && t150;
-        let t152 = if work.flags[1] { work.t137 } else { t149 };
-        let t153 = self.next_dq;
-        let t154 = (-1e26..=1e26).contains(&t153);
-        let t155 = t151 && t154;
-        let t156 = if work.flags[1] { work.t143 } else { t153 };
-        let t157 = self.next_ddq;
-        let t158 = (-1e26..=1e26).contains(&t157);
-        let t159 = t155 && t158;
-        let t160 = if work.flags[1] { work.t146 } else { t157 };
-        let t161 = work.flags[1] || t159;
-        let t162 = work.flags[0] && t161;
-        let t163 = usize::from(t162);
-        self.known = t163;
-        let t165 = 0.001 * t156;
-        let t167 = 5e-7 * t160;
-        let t168 = t152 + t165;
-        let t169 = t168 + t167;
-        let t170 = (-1e26..=1e26).contains(&t169);
-        let t171 = if t170 { t169 } else { 0.0 };
-        self.next_q = t171;
-        let t172 = 0.001 * t160;
-        let t173 = t156 + t172;
-        let t174 = (-1e26..=1e26).contains(&t173);
-        let t175 = if t174 { t173 } else { 0.0 };
-        self.next_dq = t175;
-        let t176 = (-1e26..=1e26).contains(&t160);
-        let t177 = if t176 { t160 } else { 0.0 };
-        self.next_ddq = t177;
+        let t150 = self.known;
+        let t151 = t150 == 1;
+        let t152 = self.next_q;
+        let t153 = (-1e26..=1e26).contains(&t152);
+        let t154 = t151 && t153;
+        let t155 = if work.flags[1] { work.t140 } else { t152 };
+        let t156 = self.next_dq;
+        let t157 = (-1e26..=1e26).contains(&t156);
+        let t158 = t154 && t157;
+        let t159 = if work.flags[1] { work.t146 } else { t156 };
+        let t160 = self.next_ddq;
+        let t161 = (-1e26..=1e26).contains(&t160);
+        let t162 = t158 && t161;
+        let t163 = if work.flags[1] { work.t149 } else { t160 };
+        let t164 = work.flags[1] || t162;
+        let t165 = work.flags[0] && t164;
+        let t166 = usize::from(t165);
+        self.known = t166;
+        let t168 = 0.001 * t159;
+        let t170 = 5e-7 * t163;
+        let t171 = t155 + t168;
+        let t172 = t171 + t170;
+        let t173 = (-1e26..=1e26).contains(&t172);
+        let t174 = if t173 { t172 } else { 0.0 };
+        self.next_q = t174;
+        let t175 = 0.001 * t163;
+        let t176 = t159 + t175;
+        let t177 = (-1e26..=1e26).contains(&t176);
+        let t178 = if t177 { t176 } else { 0.0 };
+        self.next_dq = t178;
+        let t179 = (-1e26..=1e26).contains(&t163);
+        let t180 = if t179 { t163 } else { 0.0 };
+        self.next_ddq = t180;
 
         // the estimate; until there is one, the start
-        work.t178 = if t162 { t152 } else { work.t008 };
-        work.t179 = if t162 { t156 } else { 0.0 };
-        work.t180 = if t162 { t160 } else { 0.0 };
-        let t181 = self.coasting;
-        let t182 = t181 == 0;
-        let t183 = work.flags[1] && t182;
-        let t187 = if t183 { Status::Converged } else { Status::Coasting };
-        work.t188 = if t162 { t187 } else { Status::Converging };
+        work.t181 = if t165 { t155 } else { work.t008 };
+        work.t182 = if t165 { t159 } else { 0.0 };
+        work.t183 = if t165 { t163 } else { 0.0 };
+        let t184 = self.coasting;
+        let t185 = t184 == 0;
+        let t186 = work.flags[1] && t185;
+        let t190 = if t186 { Status::Converged } else { Status::Coasting };
+        work.t191 = if t165 { t190 } else { Status::Converging };
     }
 }
 const _: f32 = SAMPLE_TIME;

@@ -25,8 +25,8 @@
 //!   on top: nonlinear terms are straight lines between samples, second order in the sample time
 //!
 //! Cost       2239 multiplications, 1880 additions, 10 divisions, 1 tanh a call, the same for every call
-//! Memory     state 1028 bytes, constants 1280 bytes
-//!            at most: stack 4276 bytes, flash 16480 bytes without elementary functions
+//! Memory     state 1032 bytes, constants 1280 bytes
+//!            at most: stack 4308 bytes, flash 16652 bytes without elementary functions
 //!
 //! Contract:
 //!  1. No heap, no recursion, no global or static mutable data, no file or console, no library.
@@ -73,6 +73,8 @@ pub struct Estimate {
     pub slope: f32,
     /// wheel speed, a first-order lag behind the speed; m/s
     pub wheel: f32,
+    /// calls since the newest accepted sample
+    pub coasted: u32,
     /// what the step says of this estimate
     pub status: Status,
 }
@@ -114,6 +116,8 @@ pub struct Observer {
     known: usize,
     /// slot of the time that the newest sample shows
     slot_camera: usize,
+    /// calls since a sample was accepted
+    since: usize,
 }
 
 /// orthonormal rows of the window, oldest first
@@ -292,24 +296,21 @@ struct Work {
     t054: f32,
     t057: f32,
     t061: f32,
-    t094: usize,
-    t145: f32,
-    t146: f32,
-    t147: f32,
+    t086: usize,
+    t098: usize,
     t149: f32,
     t150: f32,
     t151: f32,
-    t152: f32,
     t153: f32,
     t154: f32,
+    t155: f32,
     t156: f32,
+    t157: f32,
     t158: f32,
-    t159: f32,
     t160: f32,
     t162: f32,
     t163: f32,
     t164: f32,
-    t165: f32,
     t166: f32,
     t167: f32,
     t168: f32,
@@ -325,13 +326,15 @@ struct Work {
     t178: f32,
     t179: f32,
     t180: f32,
-    t181: usize,
-    t182: usize,
-    t198: f32,
-    t209: f32,
-    t224: f32,
-    t246: f32,
-    t248: f32,
+    t181: f32,
+    t182: f32,
+    t183: f32,
+    t184: f32,
+    t185: usize,
+    t186: usize,
+    t202: f32,
+    t213: f32,
+    t228: f32,
     t250: f32,
     t252: f32,
     t254: f32,
@@ -342,12 +345,12 @@ struct Work {
     t264: f32,
     t266: f32,
     t268: f32,
+    t270: f32,
     t272: f32,
-    t273: f32,
-    t274: f32,
-    t275: f32,
     t276: f32,
+    t277: f32,
     t278: f32,
+    t279: f32,
     t280: f32,
     t282: f32,
     t284: f32,
@@ -361,17 +364,19 @@ struct Work {
     t300: f32,
     t302: f32,
     t304: f32,
-    t305: f32,
-    t383: f32,
-    t392: f32,
-    t398: f32,
-    t407: f32,
-    t458: f32,
-    t459: f32,
-    t460: f32,
-    t461: f32,
-    t469: Status,
-    /// t5, t7, t39, t82, t93, t354
+    t306: f32,
+    t308: f32,
+    t309: f32,
+    t387: f32,
+    t396: f32,
+    t402: f32,
+    t411: f32,
+    t462: f32,
+    t463: f32,
+    t464: f32,
+    t465: f32,
+    t473: Status,
+    /// t5, t7, t39, t82, t97, t358
     flags: [bool; 6],
 }
 
@@ -391,24 +396,21 @@ impl Work {
         t054: 0.0,
         t057: 0.0,
         t061: 0.0,
-        t094: 0,
-        t145: 0.0,
-        t146: 0.0,
-        t147: 0.0,
+        t086: 0,
+        t098: 0,
         t149: 0.0,
         t150: 0.0,
         t151: 0.0,
-        t152: 0.0,
         t153: 0.0,
         t154: 0.0,
+        t155: 0.0,
         t156: 0.0,
+        t157: 0.0,
         t158: 0.0,
-        t159: 0.0,
         t160: 0.0,
         t162: 0.0,
         t163: 0.0,
         t164: 0.0,
-        t165: 0.0,
         t166: 0.0,
         t167: 0.0,
         t168: 0.0,
@@ -424,13 +426,15 @@ impl Work {
         t178: 0.0,
         t179: 0.0,
         t180: 0.0,
-        t181: 0,
-        t182: 0,
-        t198: 0.0,
-        t209: 0.0,
-        t224: 0.0,
-        t246: 0.0,
-        t248: 0.0,
+        t181: 0.0,
+        t182: 0.0,
+        t183: 0.0,
+        t184: 0.0,
+        t185: 0,
+        t186: 0,
+        t202: 0.0,
+        t213: 0.0,
+        t228: 0.0,
         t250: 0.0,
         t252: 0.0,
         t254: 0.0,
@@ -441,12 +445,12 @@ impl Work {
         t264: 0.0,
         t266: 0.0,
         t268: 0.0,
+        t270: 0.0,
         t272: 0.0,
-        t273: 0.0,
-        t274: 0.0,
-        t275: 0.0,
         t276: 0.0,
+        t277: 0.0,
         t278: 0.0,
+        t279: 0.0,
         t280: 0.0,
         t282: 0.0,
         t284: 0.0,
@@ -460,16 +464,18 @@ impl Work {
         t300: 0.0,
         t302: 0.0,
         t304: 0.0,
-        t305: 0.0,
-        t383: 0.0,
-        t392: 0.0,
-        t398: 0.0,
-        t407: 0.0,
-        t458: 0.0,
-        t459: 0.0,
-        t460: 0.0,
-        t461: 0.0,
-        t469: Status::Converging,
+        t306: 0.0,
+        t308: 0.0,
+        t309: 0.0,
+        t387: 0.0,
+        t396: 0.0,
+        t402: 0.0,
+        t411: 0.0,
+        t462: 0.0,
+        t463: 0.0,
+        t464: 0.0,
+        t465: 0.0,
+        t473: Status::Converging,
         flags: [false; 6],
     };
 }
@@ -496,6 +502,7 @@ impl Observer {
             next_wheel: 0.0,
             known: 0,
             slot_camera: 36,
+            since: 0,
         }
     }
 
@@ -510,11 +517,12 @@ impl Observer {
         Self::part_7(&mut work);
         self.part_8(&mut work);
         Estimate {
-            position: work.t458,
-            speed: work.t459,
-            slope: work.t460,
-            wheel: work.t461,
-            status: work.t469,
+            position: work.t462,
+            speed: work.t463,
+            slope: work.t464,
+            wheel: work.t465,
+            coasted: ::deadbeat::math::u32_from_index(work.t086),
+            status: work.t473,
         }
     }
 
@@ -533,7 +541,7 @@ impl Observer {
         work.t009 = if work.flags[1] { t006 } else { t008 };
         work.t010 = if t001 < 40 { t001 + 1 } else { 0 };
 
-        // prediction, for nonlinear terms of a sample that is missing
+        // prediction of what the samples show
         let t011 = self.tanh_20_wheel[t001];
         let t012 = self.next_position;
         let t014 = 1.994_677_4e-5 * work.t009;
@@ -549,7 +557,7 @@ impl Observer {
         let t031 = t030.min(40);
         work.t032 = if t031 < 40 { t031 + 1 } else { 0 };
         self.slot_camera = work.t032;
-        let t033 = self.camera[work.t032.min(40)];
+        let t033 = self.camera[t031];
         work.t034 = if t003 { t002 } else { t033 };
         let t035 = self.wheel[t001];
         let t036 = (-20.0..=20.0).contains(&t027);
@@ -597,22 +605,27 @@ impl Observer {
         let t080 = !t079;
         let t081 = t076 && t080;
         work.flags[3] = t065 || t081;
+        let t083 = t003 || work.flags[0];
+        let t084 = self.since;
+        let t085 = if t084 < 4_294_967_295 { t084 + 1 } else { 4_294_967_295 };
+        work.t086 = if t083 { 0 } else { t085 };
+        self.since = work.t086;
     }
 
     /// Part 2 of a step.
     fn part_2(&mut self, work: &mut Work) {
         // how much of the window is good
-        let t083 = 40 < work.t045;
-        let t084 = if work.t045 < 44 { work.t045 + 1 } else { 44 };
-        let t085 = if work.flags[3] { 0 } else { t084 };
-        let t086 = if work.flags[1] { t084 } else { 1 };
-        let t087 = if t083 { t085 } else { t086 };
-        self.count = t087;
-        let t088 = self.coasting;
-        let t089 = t088.saturating_sub(1);
-        let t090 = if work.flags[1] { t089 } else { 40 };
-        let t092 = if work.flags[0] { t090 } else { 41 };
-        self.coasting = t092;
+        let t087 = 40 < work.t045;
+        let t088 = if work.t045 < 44 { work.t045 + 1 } else { 44 };
+        let t089 = if work.flags[3] { 0 } else { t088 };
+        let t090 = if work.flags[1] { t088 } else { 1 };
+        let t091 = if t087 { t089 } else { t090 };
+        self.count = t091;
+        let t092 = self.coasting;
+        let t093 = t092.saturating_sub(1);
+        let t094 = if work.flags[1] { t093 } else { 40 };
+        let t096 = if work.flags[0] { t094 } else { 41 };
+        self.coasting = t096;
 
         // into the window
         self.newest = work.t010;
@@ -623,399 +636,399 @@ impl Observer {
         self.has_wheel[work.t010.min(40)] = work.t044;
         self.force[work.t010.min(40)] = work.t009;
         self.tanh_20_wheel[work.t010.min(40)] = work.t048;
-        work.flags[4] = 40 < t087;
+        work.flags[4] = 40 < t091;
     }
 
     /// Part 3 of a step.
     fn part_3(&self, work: &mut Work) {
         // rows of the window, oldest first; those without a sample count nothing
-        work.t094 = if work.t010 < 40 { work.t010 + 1 } else { 0 };
-        let t100 = self.has_camera[work.t094.min(40)];
-        let t101 = self.camera[work.t094.min(40)];
-        let t102 = t101 - 0.0;
-        let t104 = 200.0 * t102;
-        let t105 = t100 * 0.164_398_98;
-        let t106 = t100 * -0.116_738_87;
-        let t107 = t100 * 0.073_948_87;
-        let t108 = t100 * 0.045_657_706;
-        let t109 = t105 * t105;
-        let t110 = 0.0 + t109;
-        let t111 = t105 * t106;
-        let t112 = 0.0 + t111;
-        let t113 = t105 * t107;
+        work.t098 = if work.t010 < 40 { work.t010 + 1 } else { 0 };
+        let t104 = self.has_camera[work.t098.min(40)];
+        let t105 = self.camera[work.t098.min(40)];
+        let t106 = t105 - 0.0;
+        let t108 = 200.0 * t106;
+        let t109 = t104 * 0.164_398_98;
+        let t110 = t104 * -0.116_738_87;
+        let t111 = t104 * 0.073_948_87;
+        let t112 = t104 * 0.045_657_706;
+        let t113 = t109 * t109;
         let t114 = 0.0 + t113;
-        let t115 = t105 * t108;
+        let t115 = t109 * t110;
         let t116 = 0.0 + t115;
-        let t117 = t106 * t106;
+        let t117 = t109 * t111;
         let t118 = 0.0 + t117;
-        let t119 = t106 * t107;
+        let t119 = t109 * t112;
         let t120 = 0.0 + t119;
-        let t121 = t106 * t108;
+        let t121 = t110 * t110;
         let t122 = 0.0 + t121;
-        let t123 = t107 * t107;
+        let t123 = t110 * t111;
         let t124 = 0.0 + t123;
-        let t125 = t107 * t108;
+        let t125 = t110 * t112;
         let t126 = 0.0 + t125;
-        let t127 = t108 * t108;
+        let t127 = t111 * t111;
         let t128 = 0.0 + t127;
-        let t129 = t105 * t104;
+        let t129 = t111 * t112;
         let t130 = 0.0 + t129;
-        let t131 = t106 * t104;
+        let t131 = t112 * t112;
         let t132 = 0.0 + t131;
-        let t133 = t107 * t104;
+        let t133 = t109 * t108;
         let t134 = 0.0 + t133;
-        let t135 = t108 * t104;
+        let t135 = t110 * t108;
         let t136 = 0.0 + t135;
-        let t137 = self.has_wheel[work.t094.min(40)];
-        let t138 = self.wheel[work.t094.min(40)];
-        let t139 = t138 - 0.0;
-        let t141 = 50.0 * t139;
-        let t142 = t137 * 0.0;
-        let t143 = t137 * 0.713_766_75;
-        let t144 = t142 * t142;
-        work.t145 = t110 + t144;
-        work.t146 = t112 + t144;
-        work.t147 = t114 + t144;
-        let t148 = t142 * t143;
-        work.t149 = t116 + t148;
-        work.t150 = t118 + t144;
-        work.t151 = t120 + t144;
-        work.t152 = t122 + t148;
-        work.t153 = t124 + t144;
-        work.t154 = t126 + t148;
-        let t155 = t143 * t143;
-        work.t156 = t128 + t155;
-        let t157 = t142 * t141;
-        work.t158 = t130 + t157;
-        work.t159 = t132 + t157;
-        work.t160 = t134 + t157;
-        let t161 = t143 * t141;
-        work.t162 = t136 + t161;
+        let t137 = t111 * t108;
+        let t138 = 0.0 + t137;
+        let t139 = t112 * t108;
+        let t140 = 0.0 + t139;
+        let t141 = self.has_wheel[work.t098.min(40)];
+        let t142 = self.wheel[work.t098.min(40)];
+        let t143 = t142 - 0.0;
+        let t145 = 50.0 * t143;
+        let t146 = t141 * 0.0;
+        let t147 = t141 * 0.713_766_75;
+        let t148 = t146 * t146;
+        work.t149 = t114 + t148;
+        work.t150 = t116 + t148;
+        work.t151 = t118 + t148;
+        let t152 = t146 * t147;
+        work.t153 = t120 + t152;
+        work.t154 = t122 + t148;
+        work.t155 = t124 + t148;
+        work.t156 = t126 + t152;
+        work.t157 = t128 + t148;
+        work.t158 = t130 + t152;
+        let t159 = t147 * t147;
+        work.t160 = t132 + t159;
+        let t161 = t146 * t145;
+        work.t162 = t134 + t161;
+        work.t163 = t136 + t161;
+        work.t164 = t138 + t161;
+        let t165 = t147 * t145;
+        work.t166 = t140 + t165;
     }
 
     /// Part 4 of a step, for one row of `ROWS`.
     fn part_4(&self, work: &mut Work, gains: [f32; 8]) {
-        work.t182 = if work.t181 < 40 { work.t181 + 1 } else { 0 };
-        let t183 = self.tanh_20_wheel[work.t181.min(40)];
-        let t184 = self.force[work.t182.min(40)];
-        let t185 = self.tanh_20_wheel[work.t182.min(40)];
-        let t187 = 0.009_960_107 * work.t178;
-        let t189 = 4.986_693_2e-5 * work.t179;
-        let t190 = work.t177 + t187;
-        let t191 = t190 + t189;
-        let t193 = -1.329_341_8e-5 * t183;
-        let t194 = 1.994_677_4e-5 * t184;
-        let t195 = -6.653_355e-6 * t185;
-        let t196 = t194 + t195;
-        let t197 = t191 + t193;
-        work.t198 = t197 + t196;
-        let t200 = 0.992_031_93 * work.t178;
-        let t201 = 0.009_960_107 * work.t179;
-        let t202 = t200 + t201;
-        let t204 = -0.001_989_365_3 * t183;
-        let t205 = 0.003_984_042_4 * t184;
-        let t206 = -0.001_994_677_4 * t185;
-        let t207 = t205 + t206;
-        let t208 = t202 + t204;
-        work.t209 = t208 + t207;
-        let t211 = 0.258_096_25 * work.t178;
-        let t213 = 0.001_356_897_8 * work.t179;
-        let t215 = 0.740_818_2 * work.t180;
-        let t216 = t211 + t213;
-        let t217 = t216 + t215;
-        let t219 = -0.000_357_278_8 * t183;
-        let t220 = 0.000_542_759_1 * t184;
-        let t221 = -0.000_185_480_31 * t185;
-        let t222 = t220 + t221;
-        let t223 = t217 + t219;
-        work.t224 = t223 + t222;
-        let t225 = gains[0];
-        let t226 = gains[1];
-        let t227 = gains[2];
-        let t228 = gains[3];
-        let t229 = gains[4];
-        let t230 = gains[5];
-        let t231 = gains[6];
-        let t232 = gains[7];
-        let t233 = self.has_camera[work.t182.min(40)];
-        let t234 = self.camera[work.t182.min(40)];
-        let t235 = t234 - work.t198;
-        let t236 = 200.0 * t235;
-        let t237 = t233 * t225;
-        let t238 = t233 * t226;
-        let t239 = t233 * t227;
-        let t240 = t233 * t228;
-        let t241 = t237 * t237;
-        let t242 = work.t163 + t241;
-        let t243 = t237 * t238;
-        let t244 = work.t164 + t243;
-        let t245 = t237 * t239;
-        work.t246 = work.t165 + t245;
-        let t247 = t237 * t240;
-        work.t248 = work.t166 + t247;
-        let t249 = t238 * t238;
-        work.t250 = work.t167 + t249;
-        let t251 = t238 * t239;
-        work.t252 = work.t168 + t251;
-        let t253 = t238 * t240;
-        work.t254 = work.t169 + t253;
-        let t255 = t239 * t239;
-        work.t256 = work.t170 + t255;
-        let t257 = t239 * t240;
-        work.t258 = work.t171 + t257;
-        let t259 = t240 * t240;
-        work.t260 = work.t172 + t259;
-        let t261 = t237 * t236;
-        work.t262 = work.t173 + t261;
-        let t263 = t238 * t236;
-        work.t264 = work.t174 + t263;
-        let t265 = t239 * t236;
-        work.t266 = work.t175 + t265;
-        let t267 = t240 * t236;
-        work.t268 = work.t176 + t267;
-        let t269 = self.has_wheel[work.t182.min(40)];
-        let t270 = self.wheel[work.t182.min(40)];
-        let t271 = t270 - work.t224;
-        work.t272 = 50.0 * t271;
-        work.t273 = t269 * t229;
-        work.t274 = t269 * t230;
-        work.t275 = t269 * t231;
-        work.t276 = t269 * t232;
-        let t277 = work.t273 * work.t273;
-        work.t278 = t242 + t277;
-        let t279 = work.t273 * work.t274;
-        work.t280 = t244 + t279;
+        work.t186 = if work.t185 < 40 { work.t185 + 1 } else { 0 };
+        let t187 = self.tanh_20_wheel[work.t185.min(40)];
+        let t188 = self.force[work.t186.min(40)];
+        let t189 = self.tanh_20_wheel[work.t186.min(40)];
+        let t191 = 0.009_960_107 * work.t182;
+        let t193 = 4.986_693_2e-5 * work.t183;
+        let t194 = work.t181 + t191;
+        let t195 = t194 + t193;
+        let t197 = -1.329_341_8e-5 * t187;
+        let t198 = 1.994_677_4e-5 * t188;
+        let t199 = -6.653_355e-6 * t189;
+        let t200 = t198 + t199;
+        let t201 = t195 + t197;
+        work.t202 = t201 + t200;
+        let t204 = 0.992_031_93 * work.t182;
+        let t205 = 0.009_960_107 * work.t183;
+        let t206 = t204 + t205;
+        let t208 = -0.001_989_365_3 * t187;
+        let t209 = 0.003_984_042_4 * t188;
+        let t210 = -0.001_994_677_4 * t189;
+        let t211 = t209 + t210;
+        let t212 = t206 + t208;
+        work.t213 = t212 + t211;
+        let t215 = 0.258_096_25 * work.t182;
+        let t217 = 0.001_356_897_8 * work.t183;
+        let t219 = 0.740_818_2 * work.t184;
+        let t220 = t215 + t217;
+        let t221 = t220 + t219;
+        let t223 = -0.000_357_278_8 * t187;
+        let t224 = 0.000_542_759_1 * t188;
+        let t225 = -0.000_185_480_31 * t189;
+        let t226 = t224 + t225;
+        let t227 = t221 + t223;
+        work.t228 = t227 + t226;
+        let t229 = gains[0];
+        let t230 = gains[1];
+        let t231 = gains[2];
+        let t232 = gains[3];
+        let t233 = gains[4];
+        let t234 = gains[5];
+        let t235 = gains[6];
+        let t236 = gains[7];
+        let t237 = self.has_camera[work.t186.min(40)];
+        let t238 = self.camera[work.t186.min(40)];
+        let t239 = t238 - work.t202;
+        let t240 = 200.0 * t239;
+        let t241 = t237 * t229;
+        let t242 = t237 * t230;
+        let t243 = t237 * t231;
+        let t244 = t237 * t232;
+        let t245 = t241 * t241;
+        let t246 = work.t167 + t245;
+        let t247 = t241 * t242;
+        let t248 = work.t168 + t247;
+        let t249 = t241 * t243;
+        work.t250 = work.t169 + t249;
+        let t251 = t241 * t244;
+        work.t252 = work.t170 + t251;
+        let t253 = t242 * t242;
+        work.t254 = work.t171 + t253;
+        let t255 = t242 * t243;
+        work.t256 = work.t172 + t255;
+        let t257 = t242 * t244;
+        work.t258 = work.t173 + t257;
+        let t259 = t243 * t243;
+        work.t260 = work.t174 + t259;
+        let t261 = t243 * t244;
+        work.t262 = work.t175 + t261;
+        let t263 = t244 * t244;
+        work.t264 = work.t176 + t263;
+        let t265 = t241 * t240;
+        work.t266 = work.t177 + t265;
+        let t267 = t242 * t240;
+        work.t268 = work.t178 + t267;
+        let t269 = t243 * t240;
+        work.t270 = work.t179 + t269;
+        let t271 = t244 * t240;
+        work.t272 = work.t180 + t271;
+        let t273 = self.has_wheel[work.t186.min(40)];
+        let t274 = self.wheel[work.t186.min(40)];
+        let t275 = t274 - work.t228;
+        work.t276 = 50.0 * t275;
+        work.t277 = t273 * t233;
+        work.t278 = t273 * t234;
+        work.t279 = t273 * t235;
+        work.t280 = t273 * t236;
+        let t281 = work.t277 * work.t277;
+        work.t282 = t246 + t281;
+        let t283 = work.t277 * work.t278;
+        work.t284 = t248 + t283;
     }
 
     /// Part 5 of a step, for one row of `ROWS`.
     fn part_5(work: &mut Work) {
-        let t281 = work.t273 * work.t275;
-        work.t282 = work.t246 + t281;
-        let t283 = work.t273 * work.t276;
-        work.t284 = work.t248 + t283;
-        let t285 = work.t274 * work.t274;
+        let t285 = work.t277 * work.t279;
         work.t286 = work.t250 + t285;
-        let t287 = work.t274 * work.t275;
+        let t287 = work.t277 * work.t280;
         work.t288 = work.t252 + t287;
-        let t289 = work.t274 * work.t276;
+        let t289 = work.t278 * work.t278;
         work.t290 = work.t254 + t289;
-        let t291 = work.t275 * work.t275;
+        let t291 = work.t278 * work.t279;
         work.t292 = work.t256 + t291;
-        let t293 = work.t275 * work.t276;
+        let t293 = work.t278 * work.t280;
         work.t294 = work.t258 + t293;
-        let t295 = work.t276 * work.t276;
+        let t295 = work.t279 * work.t279;
         work.t296 = work.t260 + t295;
-        let t297 = work.t273 * work.t272;
+        let t297 = work.t279 * work.t280;
         work.t298 = work.t262 + t297;
-        let t299 = work.t274 * work.t272;
+        let t299 = work.t280 * work.t280;
         work.t300 = work.t264 + t299;
-        let t301 = work.t275 * work.t272;
+        let t301 = work.t277 * work.t276;
         work.t302 = work.t266 + t301;
-        let t303 = work.t276 * work.t272;
+        let t303 = work.t278 * work.t276;
         work.t304 = work.t268 + t303;
-        work.t305 = work.t179 - 0.0;
+        let t305 = work.t279 * work.t276;
+        work.t306 = work.t270 + t305;
+        let t307 = work.t280 * work.t276;
+        work.t308 = work.t272 + t307;
+        work.t309 = work.t183 - 0.0;
     }
 
     /// Part 6 of a step.
     fn part_6(&self, work: &mut Work) {
-        work.t163 = work.t145;
-        work.t164 = work.t146;
-        work.t165 = work.t147;
-        work.t166 = work.t149;
-        work.t167 = work.t150;
-        work.t168 = work.t151;
-        work.t169 = work.t152;
+        work.t167 = work.t149;
+        work.t168 = work.t150;
+        work.t169 = work.t151;
         work.t170 = work.t153;
         work.t171 = work.t154;
-        work.t172 = work.t156;
-        work.t173 = work.t158;
-        work.t174 = work.t159;
-        work.t175 = work.t160;
-        work.t176 = work.t162;
-        work.t177 = 0.0;
-        work.t178 = 0.0;
-        work.t179 = 0.0;
-        work.t180 = 0.0;
-        work.t181 = work.t094;
+        work.t172 = work.t155;
+        work.t173 = work.t156;
+        work.t174 = work.t157;
+        work.t175 = work.t158;
+        work.t176 = work.t160;
+        work.t177 = work.t162;
+        work.t178 = work.t163;
+        work.t179 = work.t164;
+        work.t180 = work.t166;
+        work.t181 = 0.0;
+        work.t182 = 0.0;
+        work.t183 = 0.0;
+        work.t184 = 0.0;
+        work.t185 = work.t098;
         for gains in &ROWS {
             self.part_4(work, *gains);
             Self::part_5(work);
-            work.t163 = work.t278;
-            work.t164 = work.t280;
-            work.t165 = work.t282;
-            work.t166 = work.t284;
-            work.t167 = work.t286;
-            work.t168 = work.t288;
-            work.t169 = work.t290;
-            work.t170 = work.t292;
-            work.t171 = work.t294;
-            work.t172 = work.t296;
-            work.t173 = work.t298;
-            work.t174 = work.t300;
-            work.t175 = work.t302;
-            work.t176 = work.t304;
-            work.t177 = work.t198;
-            work.t178 = work.t209;
-            work.t179 = work.t305;
-            work.t180 = work.t224;
-            work.t181 = work.t182;
+            work.t167 = work.t282;
+            work.t168 = work.t284;
+            work.t169 = work.t286;
+            work.t170 = work.t288;
+            work.t171 = work.t290;
+            work.t172 = work.t292;
+            work.t173 = work.t294;
+            work.t174 = work.t296;
+            work.t175 = work.t298;
+            work.t176 = work.t300;
+            work.t177 = work.t302;
+            work.t178 = work.t304;
+            work.t179 = work.t306;
+            work.t180 = work.t308;
+            work.t181 = work.t202;
+            work.t182 = work.t213;
+            work.t183 = work.t309;
+            work.t184 = work.t228;
+            work.t185 = work.t186;
         }
     }
 
     /// Part 7 of a step.
     fn part_7(work: &mut Work) {
         // the window's start from the samples that are there
-        let t307 = 0.015_625 < work.t163;
-        let t308 = if t307 { work.t163 } else { 1.0 };
-        let t309 = work.t164 / t308;
-        let t310 = t309 * work.t164;
-        let t311 = work.t167 - t310;
-        let t312 = t309 * work.t165;
-        let t313 = work.t168 - t312;
-        let t314 = t309 * work.t166;
-        let t315 = work.t169 - t314;
-        let t316 = t309 * work.t173;
-        let t317 = work.t174 - t316;
-        let t318 = work.t165 / t308;
-        let t319 = t318 * work.t165;
-        let t320 = work.t170 - t319;
-        let t321 = t318 * work.t166;
-        let t322 = work.t171 - t321;
-        let t323 = t318 * work.t173;
-        let t324 = work.t175 - t323;
-        let t325 = work.t166 / t308;
-        let t326 = t325 * work.t166;
-        let t327 = work.t172 - t326;
-        let t328 = t325 * work.t173;
-        let t329 = work.t176 - t328;
-        let t330 = 0.015_625 < t311;
-        let t331 = t307 && t330;
-        let t332 = if t330 { t311 } else { 1.0 };
-        let t333 = t313 / t332;
-        let t334 = t333 * t313;
-        let t335 = t320 - t334;
-        let t336 = t333 * t315;
-        let t337 = t322 - t336;
-        let t338 = t333 * t317;
+        let t311 = 0.015_625 < work.t167;
+        let t312 = if t311 { work.t167 } else { 1.0 };
+        let t313 = work.t168 / t312;
+        let t314 = t313 * work.t168;
+        let t315 = work.t171 - t314;
+        let t316 = t313 * work.t169;
+        let t317 = work.t172 - t316;
+        let t318 = t313 * work.t170;
+        let t319 = work.t173 - t318;
+        let t320 = t313 * work.t177;
+        let t321 = work.t178 - t320;
+        let t322 = work.t169 / t312;
+        let t323 = t322 * work.t169;
+        let t324 = work.t174 - t323;
+        let t325 = t322 * work.t170;
+        let t326 = work.t175 - t325;
+        let t327 = t322 * work.t177;
+        let t328 = work.t179 - t327;
+        let t329 = work.t170 / t312;
+        let t330 = t329 * work.t170;
+        let t331 = work.t176 - t330;
+        let t332 = t329 * work.t177;
+        let t333 = work.t180 - t332;
+        let t334 = 0.015_625 < t315;
+        let t335 = t311 && t334;
+        let t336 = if t334 { t315 } else { 1.0 };
+        let t337 = t317 / t336;
+        let t338 = t337 * t317;
         let t339 = t324 - t338;
-        let t340 = t315 / t332;
-        let t341 = t340 * t315;
-        let t342 = t327 - t341;
-        let t343 = t340 * t317;
-        let t344 = t329 - t343;
-        let t345 = 0.015_625 < t335;
-        let t346 = t331 && t345;
-        let t347 = if t345 { t335 } else { 1.0 };
-        let t348 = t337 / t347;
-        let t349 = t348 * t337;
-        let t350 = t342 - t349;
-        let t351 = t348 * t339;
-        let t352 = t344 - t351;
-        let t353 = 0.015_625 < t350;
-        work.flags[5] = t346 && t353;
-        let t355 = if t353 { t350 } else { 1.0 };
-        let t356 = t352 / t355;
-        let t357 = t337 * t356;
-        let t358 = t339 - t357;
-        let t359 = t358 / t347;
-        let t360 = t313 * t359;
-        let t361 = t317 - t360;
-        let t362 = t315 * t356;
-        let t363 = t361 - t362;
-        let t364 = t363 / t332;
-        let t365 = work.t164 * t364;
-        let t366 = work.t173 - t365;
-        let t367 = work.t165 * t359;
-        let t368 = t366 - t367;
-        let t369 = work.t166 * t356;
-        let t370 = t368 - t369;
-        let t371 = t370 / t308;
-        let t373 = 0.000_821_994_9 * t371;
-        let t375 = 0.000_636_964_05 * t364;
-        let t377 = 0.000_549_361_6 * t359;
-        let t379 = 3.316_672_5e-5 * t356;
-        let t380 = t373 + t375;
-        let t381 = t380 + t377;
-        let t382 = t381 + t379;
-        work.t383 = t382 + work.t177;
-        let t385 = 0.002_589_379 * t364;
-        let t387 = 0.006_504_165 * t359;
-        let t389 = 0.001_400_119_9 * t356;
-        let t390 = t385 + t387;
-        let t391 = t390 + t389;
-        work.t392 = t391 + work.t178;
-        let t394 = 0.032_337_446 * t359;
-        let t396 = 0.009_580_231 * t356;
-        let t397 = t394 + t396;
-        work.t398 = t397 + work.t179;
-        let t400 = 0.002_660_298_3 * t364;
-        let t402 = 0.005_574_961 * t359;
-        let t404 = 0.001_110_495_3 * t356;
-        let t405 = t400 + t402;
-        let t406 = t405 + t404;
-        work.t407 = t406 + work.t180;
+        let t340 = t337 * t319;
+        let t341 = t326 - t340;
+        let t342 = t337 * t321;
+        let t343 = t328 - t342;
+        let t344 = t319 / t336;
+        let t345 = t344 * t319;
+        let t346 = t331 - t345;
+        let t347 = t344 * t321;
+        let t348 = t333 - t347;
+        let t349 = 0.015_625 < t339;
+        let t350 = t335 && t349;
+        let t351 = if t349 { t339 } else { 1.0 };
+        let t352 = t341 / t351;
+        let t353 = t352 * t341;
+        let t354 = t346 - t353;
+        let t355 = t352 * t343;
+        let t356 = t348 - t355;
+        let t357 = 0.015_625 < t354;
+        work.flags[5] = t350 && t357;
+        let t359 = if t357 { t354 } else { 1.0 };
+        let t360 = t356 / t359;
+        let t361 = t341 * t360;
+        let t362 = t343 - t361;
+        let t363 = t362 / t351;
+        let t364 = t317 * t363;
+        let t365 = t321 - t364;
+        let t366 = t319 * t360;
+        let t367 = t365 - t366;
+        let t368 = t367 / t336;
+        let t369 = work.t168 * t368;
+        let t370 = work.t177 - t369;
+        let t371 = work.t169 * t363;
+        let t372 = t370 - t371;
+        let t373 = work.t170 * t360;
+        let t374 = t372 - t373;
+        let t375 = t374 / t312;
+        let t377 = 0.000_821_994_9 * t375;
+        let t379 = 0.000_636_964_05 * t368;
+        let t381 = 0.000_549_361_6 * t363;
+        let t383 = 3.316_672_5e-5 * t360;
+        let t384 = t377 + t379;
+        let t385 = t384 + t381;
+        let t386 = t385 + t383;
+        work.t387 = t386 + work.t181;
+        let t389 = 0.002_589_379 * t368;
+        let t391 = 0.006_504_165 * t363;
+        let t393 = 0.001_400_119_9 * t360;
+        let t394 = t389 + t391;
+        let t395 = t394 + t393;
+        work.t396 = t395 + work.t182;
+        let t398 = 0.032_337_446 * t363;
+        let t400 = 0.009_580_231 * t360;
+        let t401 = t398 + t400;
+        work.t402 = t401 + work.t183;
+        let t404 = 0.002_660_298_3 * t368;
+        let t406 = 0.005_574_961 * t363;
+        let t408 = 0.001_110_495_3 * t360;
+        let t409 = t404 + t406;
+        let t410 = t409 + t408;
+        work.t411 = t410 + work.t184;
     }
 
     /// Part 8 of a step.
     fn part_8(&mut self, work: &mut Work) {
         // without enough samples, the model's prediction
-        let t408 = (-1e25..=1e25).contains(&work.t051);
-        let t409 = work.flags[2] && t408;
-        let t410 = if work.flags[5] { work.t383 } else { work.t051 };
-        let t411 = (-1e25..=1e25).contains(&work.t054);
-        let t412 = t409 && t411;
-        let t413 = if work.flags[5] { work.t392 } else { work.t054 };
-        let t414 = (-1e25..=1e25).contains(&work.t020);
-        let t415 = t412 && t414;
-        let t416 = if work.flags[5] { work.t398 } else { work.t020 };
-        let t417 = (-1e25..=1e25).contains(&work.t057);
-        let t418 = t415 && t417;
-        let t419 = if work.flags[5] { work.t407 } else { work.t057 };
-        let t420 = work.flags[5] || t418;
-        let t421 = work.flags[4] && t420;
-        let t422 = usize::from(t421);
-        self.known = t422;
-        let t424 = 0.009_960_107 * t413;
-        let t426 = 4.986_693_2e-5 * t416;
-        let t427 = t410 + t424;
-        let t428 = t427 + t426;
-        let t430 = -1.329_341_8e-5 * work.t048;
-        let t431 = t428 + t430;
-        let t432 = (-1e25..=1e25).contains(&t431);
-        let t433 = if t432 { t431 } else { 0.0 };
-        self.next_position = t433;
-        let t435 = 0.992_031_93 * t413;
-        let t436 = 0.009_960_107 * t416;
-        let t437 = t435 + t436;
-        let t439 = -0.001_989_365_3 * work.t048;
-        let t440 = t437 + t439;
-        let t441 = (-1e25..=1e25).contains(&t440);
-        let t442 = if t441 { t440 } else { 0.0 };
-        self.next_speed = t442;
-        let t443 = (-1e25..=1e25).contains(&t416);
-        let t444 = if t443 { t416 } else { 0.0 };
-        self.next_slope = t444;
-        let t446 = 0.258_096_25 * t413;
-        let t448 = 0.001_356_897_8 * t416;
-        let t450 = 0.740_818_2 * t419;
-        let t451 = t446 + t448;
-        let t452 = t451 + t450;
-        let t454 = -0.000_357_278_8 * work.t048;
-        let t455 = t452 + t454;
-        let t456 = (-1e25..=1e25).contains(&t455);
-        let t457 = if t456 { t455 } else { 0.0 };
-        self.next_wheel = t457;
+        let t412 = (-1e25..=1e25).contains(&work.t051);
+        let t413 = work.flags[2] && t412;
+        let t414 = if work.flags[5] { work.t387 } else { work.t051 };
+        let t415 = (-1e25..=1e25).contains(&work.t054);
+        let t416 = t413 && t415;
+        let t417 = if work.flags[5] { work.t396 } else { work.t054 };
+        let t418 = (-1e25..=1e25).contains(&work.t020);
+        let t419 = t416 && t418;
+        let t420 = if work.flags[5] { work.t402 } else { work.t020 };
+        let t421 = (-1e25..=1e25).contains(&work.t057);
+        let t422 = t419 && t421;
+        let t423 = if work.flags[5] { work.t411 } else { work.t057 };
+        let t424 = work.flags[5] || t422;
+        let t425 = work.flags[4] && t424;
+        let t426 = usize::from(t425);
+        self.known = t426;
+        let t428 = 0.009_960_107 * t417;
+        let t430 = 4.986_693_2e-5 * t420;
+        let t431 = t414 + t428;
+        let t432 = t431 + t430;
+        let t434 = -1.329_341_8e-5 * work.t048;
+        let t435 = t432 + t434;
+        let t436 = (-1e25..=1e25).contains(&t435);
+        let t437 = if t436 { t435 } else { 0.0 };
+        self.next_position = t437;
+        let t439 = 0.992_031_93 * t417;
+        let t440 = 0.009_960_107 * t420;
+        let t441 = t439 + t440;
+        let t443 = -0.001_989_365_3 * work.t048;
+        let t444 = t441 + t443;
+        let t445 = (-1e25..=1e25).contains(&t444);
+        let t446 = if t445 { t444 } else { 0.0 };
+        self.next_speed = t446;
+        let t447 = (-1e25..=1e25).contains(&t420);
+        let t448 = if t447 { t420 } else { 0.0 };
+        self.next_slope = t448;
+        let t450 = 0.258_096_25 * t417;
+        let t452 = 0.001_356_897_8 * t420;
+        let t454 = 0.740_818_2 * t423;
+        let t455 = t450 + t452;
+        let t456 = t455 + t454;
+        let t458 = -0.000_357_278_8 * work.t048;
+        let t459 = t456 + t458;
+        let t460 = (-1e25..=1e25).contains(&t459);
+        let t461 = if t460 { t459 } else { 0.0 };
+        self.next_wheel = t461;
 
         // the estimate; until there is one, the start
-        work.t458 = if t421 { t410 } else { 0.0 };
-        work.t459 = if t421 { t413 } else { 0.0 };
-        work.t460 = if t421 { t416 } else { 0.0 };
-        work.t461 = if t421 { t419 } else { work.t061 };
-        let t462 = self.coasting;
-        let t463 = t462 == 0;
-        let t464 = work.flags[5] && t463;
-        let t468 = if t464 { Status::Converged } else { Status::Coasting };
-        work.t469 = if t421 { t468 } else { Status::Converging };
+        work.t462 = if t425 { t414 } else { 0.0 };
+        work.t463 = if t425 { t417 } else { 0.0 };
+        work.t464 = if t425 { t420 } else { 0.0 };
+        work.t465 = if t425 { t423 } else { work.t061 };
+        let t466 = self.coasting;
+        let t467 = t466 == 0;
+        let t468 = work.flags[5] && t467;
+        let t472 = if t468 { Status::Converged } else { Status::Coasting };
+        work.t473 = if t425 { t472 } else { Status::Converging };
     }
 }
 const _: f32 = SAMPLE_TIME;
