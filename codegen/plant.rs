@@ -8,6 +8,7 @@ mod elimination;
 mod expression;
 pub mod measurable;
 pub mod modes;
+mod outputs;
 mod reading;
 pub mod sensor;
 pub mod split;
