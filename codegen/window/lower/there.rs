@@ -47,7 +47,8 @@ impl Lowering<'_> {
                 self.builder.select(good[o], measured[o], instead)
             })
             .collect();
-        let present = good.iter().map(|good| self.builder.select(*good, one, zero)).collect();
+        let there = self.of_known_past(&good, &ages);
+        let present = there.iter().map(|there| self.builder.select(*there, one, zero)).collect();
         let count = self.builder.read(self.cells.count);
         let expected = if self.functional.gaps.is_some() {
             self.expected(good.clone(), count)
@@ -107,18 +108,28 @@ impl Lowering<'_> {
             field += 1;
             let young = b.in_range(age, 0.0, law.oldest(scalar));
             *good = b.and(*good, young);
-            if !self.functional.signals.is_empty() {
-                // Nobody says what acted on the plant before the first call.
-                let (calls, none) = (b.read(self.cells.calls), b.index(0));
-                let later = b.index_less(none, calls);
-                *good = b.and(*good, later);
-            }
             let scale = b.float(law.scale.value(scalar));
             let share = b.mul(age, scale);
             let none = b.float(0.0);
             ages.push(Some(b.select(*good, share, none)));
         }
         ages
+    }
+
+    /// Samples that count: not those of the first call that show a time before it, as nobody says what acted on the
+    /// plant then.
+    fn of_known_past(&mut self, good: &[Value], ages: &[Option<Value>]) -> Vec<Value> {
+        let mut there = good.to_vec();
+        if self.functional.signals.is_empty() {
+            return there;
+        }
+        let b = &mut self.builder;
+        for (there, _) in there.iter_mut().zip(ages).filter(|(_, age)| age.is_some()) {
+            let (calls, none) = (b.read(self.cells.calls), b.index(0));
+            let later = b.index_less(none, calls);
+            *there = b.and(*there, later);
+        }
+        there
     }
 
     /// How far a sample is from its place; folded where it wraps.

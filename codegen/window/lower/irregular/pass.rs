@@ -79,7 +79,7 @@ impl Pass<'_> {
             b.add(*moved, step)
         });
         let moved = moved.collect();
-        Carried { response, slot, moved, ..carried }
+        Carried { response, moved, slot, ..carried }
     }
 
     /// The outputs that wrap.
