@@ -2,6 +2,8 @@
 //! converged from the first call on, and exact for linear plants; otherwise it converges at the promised call, whatever
 //! was given; and no given number makes an estimate other than finite.
 
+#![allow(clippy::cast_precision_loss, reason = "counts of calls are small")]
+
 use deadbeat_codegen::design::Convergence;
 use deadbeat_codegen::program::Status;
 use deadbeat_codegen::program::interp::Interpreter;
@@ -84,7 +86,7 @@ struct Sample {
 
 /// What the plant does from the call before the first on, by Runge and Kutta's method with steps so small that their
 /// errors are below rounding.
-fn oscillator(calls: usize) -> (Vec<f64>, Vec<Sample>) {
+fn oscillator(calls: usize) -> Trajectory {
     let start = vec![0.7, -1.1];
     let (mut state, mut samples) = (start.clone(), Vec::new());
     let (h, parts) = (0.02, 50);
@@ -117,7 +119,7 @@ fn oscillator(calls: usize) -> (Vec<f64>, Vec<Sample>) {
 }
 
 /// A parabola and its derivatives.
-fn parabola(calls: usize) -> (Vec<f64>, Vec<Sample>) {
+fn parabola(calls: usize) -> Trajectory {
     let at = |time: f64| vec![0.4 - 1.5 * time + 2.0 * time * time, 4.0 * time - 1.5, 4.0];
     let sample = |call: usize| Sample { state: at(call as f64 * 0.02), inputs: vec![] };
     (at(-0.02), (0..calls).map(sample).collect())
@@ -142,8 +144,11 @@ fn run(
     samples.iter().enumerate().map(answer).collect()
 }
 
-/// All observers with the plant that they are of.
-fn all() -> Vec<(String, Generated, (Vec<f64>, Vec<Sample>))> {
+/// The state at the call before the first, and everything from there on.
+type Trajectory = (Vec<f64>, Vec<Sample>);
+
+/// All observers with a trajectory of their plant.
+fn all() -> Vec<(String, Generated, Trajectory)> {
     let plants = OBSERVERS.iter().map(|observer| (PLANT, *observer, oscillator(120)));
     let chains = CHAINS.iter().map(|observer| (CHAIN, *observer, parabola(120)));
     plants

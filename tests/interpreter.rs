@@ -141,9 +141,8 @@ impl<'a> Reference<'a> {
             }
             Op::IndexLess(a, b) => Datum::Bool(self.index(*a) < self.index(*b)),
             Op::IndexEqual(a, b) => Datum::Bool(self.index(*a) == self.index(*b)),
-            Op::Measurement(at) => self.rounded(given.0[usize::from(*at)]),
+            Op::Measurement(at) | Op::Given(at) => self.rounded(given.0[usize::from(*at)]),
             Op::Input(at) => self.rounded(given.1[usize::from(*at)]),
-            Op::Given(at) => self.rounded(given.0[usize::from(*at)]),
             Op::Vouched => Datum::Bool(given.1[0] > 0.0),
             Op::Cell(cell) => self.cells[usize::from(cell.0)][0],
             Op::Ring { ring, slot } => self.cells[usize::from(ring.0)][self.index(*slot) as usize],

@@ -57,7 +57,7 @@ impl Lowering<'_> {
         let Some(run) = run else { return counted };
         let known = self.builder.or(counted.known, run.active);
         let converged = self.builder.or(counted.converged, run.vouched);
-        Counted { known, converged, ..counted }
+        Counted { converged, known, ..counted }
     }
 
     /// Values of a known by age. An input that runs straight is taken to have been what it is at the first call, before
@@ -95,7 +95,9 @@ impl Lowering<'_> {
             let mut outputs = Vec::new();
             for ((o, range), kept) in bounds.guard.outputs.iter().enumerate().zip(&cells.outputs) {
                 let shown = given::shown(b, plant, &state, o, *range);
-                kept.iter().for_each(|cell| b.set(*cell, shown));
+                for cell in kept {
+                    b.set(*cell, shown);
+                }
                 outputs.push(shown);
             }
             let zeros = plant.inputs.iter().map(|_| b.float(0.0)).collect();
@@ -108,7 +110,9 @@ impl Lowering<'_> {
                 let value = injections.evaluate(b, k, &Moment::Given, &outputs, &[]);
                 let (sane, zero) = (b.in_range(value, -bound, bound), b.float(0.0));
                 let value = b.select(sane, value, zero);
-                kept.iter().for_each(|cell| b.set(*cell, value));
+                for cell in kept {
+                    b.set(*cell, value);
+                }
             }
         });
     }
