@@ -38,6 +38,30 @@ fn folded(q: f64) -> f64 {
     q - TAU * (q / TAU).round()
 }
 
+/// Five turns within a window of 131 samples: what is folded are steps from sample to sample, not the way across the
+/// window.
+#[test]
+fn several_turns_within_a_window() {
+    let text = edited(&corpus("hand_guided"), "value = 'q'", "value = 'q', wrap = '2*pi'");
+    let generated = designed(&text);
+    let steps = generated.design.window_steps;
+    let rate = 10.0 * PI / (steps as f64 * 1e-3);
+    let motion = |k: usize| rate * k as f64 * 1e-3 + (k as f64 * 1e-3).powi(2);
+    let answers = fed(&generated, (0..3 * steps).map(|k| folded(motion(k))));
+    for (k, (estimate, status)) in answers.iter().enumerate().skip(generated.design.valid_from_step) {
+        assert_eq!(*status, Status::Converged, "call {k}");
+        let expected = [folded(motion(k)), rate + 2.0 * k as f64 * 1e-3, 2.0];
+        for (i, (ours, truth)) in estimate.iter().zip(expected).enumerate() {
+            let error = if i == 0 { folded(ours - truth) } else { ours - truth };
+            // Samples of half a turn, rounded; their sums over the window grow to five turns, rounded at each of the
+            // steps; times the gain from noise.
+            let bound =
+                4.0 * steps as f64 * f64::EPSILON * 10.0 * PI * generated.design.certificate.noise_gain_l1[i][0];
+            assert!(error.abs() <= bound, "call {k}, state {i}: {error:e} above {bound:e}");
+        }
+    }
+}
+
 /// The estimates and statuses of a step without inputs.
 fn fed(generated: &Generated, samples: impl Iterator<Item = f64>) -> Vec<(Vec<f64>, Status)> {
     let mut interpreter = Interpreter::new(&generated.program);

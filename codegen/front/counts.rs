@@ -44,10 +44,15 @@ impl Counts {
 
     /// How far the counter has come from `before` to `now`, in the output's unit, folded into half a turn.
     pub(crate) fn moved(&self, b: &mut Builder, now: Value, before: Value) -> Value {
+        let counts = self.steps(b, now, before);
+        self.in_unit(b, counts)
+    }
+
+    /// The same in counts.
+    pub(crate) fn steps(&self, b: &mut Builder, now: Value, before: Value) -> Value {
         let counts = b.wrap_difference(now, before, self.bits);
         let counts = b.signed_to_float(counts);
-        let counts = self.folded(b, counts);
-        self.in_unit(b, counts)
+        self.folded(b, counts)
     }
 
     /// Where a count is, in the output's unit, within half a turn of zero.
@@ -87,7 +92,8 @@ impl Counts {
         self.turn.map_or(counts, |turn| fold(b, counts, turn))
     }
 
-    fn in_unit(&self, b: &mut Builder, counts: Value) -> Value {
+    /// Counts in the output's unit.
+    pub(crate) fn in_unit(&self, b: &mut Builder, counts: Value) -> Value {
         let quantum = b.float(self.quantum);
         b.mul(quantum, counts)
     }

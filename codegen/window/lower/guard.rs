@@ -146,7 +146,10 @@ fn largest_gain(plant: &Plant, functional: &Functional) -> f64 {
         let weights = window.outputs.iter().chain(&window.knowns);
         let turns = plant.outputs.iter().flat_map(|output| &output.wrap).map(|wrap| wrap.direction[i].to_f64());
         let newest: f64 = turns.map(|s| s.unwrap_or(0.0).abs()).sum();
-        weights.map(|w| w.l1(i)).sum::<f64>() + window.constant[i].double.abs() + newest
+        // Differences of what wraps are summed up from sample to sample.
+        let turned =
+            if plant.outputs.iter().any(|o| o.wrap.is_some()) { super::super::count(window.steps) } else { 1.0 };
+        turned * weights.map(|w| w.l1(i)).sum::<f64>() + window.constant[i].double.abs() + newest
     };
     let state = |i: usize| functional.windows().map(|window| one(window, i)).fold(0.0, f64::max);
     let mut states: Vec<f64> = (0..plant.states.len()).map(state).collect();

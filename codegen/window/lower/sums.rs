@@ -6,13 +6,15 @@
 //! has a sum of its own, so that the additions of one do not wait for those of another; else each
 //! signal has its loop, and the sums of the states run through all of them.
 //!
-//! Of an output that wraps, differences to the newest sample are summed, each folded into half a turn. Its weights
-//! for a state add up to the direction of the turn, so that what is left out is that times the newest sample, and the
-//! newest sample's own weight is not needed.
+//! Of an output that wraps, differences to the newest sample are summed. Each is the one before it plus the step from
+//! sample to sample, folded into half a turn, so that the output may turn any number of times within the window. Its
+//! weights for a state add up to the direction of the turn: what is left out is that times the newest sample, whose own
+//! weight is not needed.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
+use crate::front::counts::Counts;
 use crate::front::fold;
 use crate::plant::Plant;
 use crate::program::Value;
@@ -50,16 +52,36 @@ impl Track<'_> {
         if self.anchor.is_some() { ages.start.max(1)..ages.end.max(1) } else { ages }
     }
 
-    /// What is summed of the sample at a slot.
-    fn sample(&self, b: &mut Builder, slot: Value) -> Value {
-        let Some(anchor) = self.anchor else { return self.kept.read(b, slot) };
-        if let Some((count, counts)) = self.kept.count(b, slot) {
-            return counts.moved(b, count, anchor.newest);
-        }
-        let sample = self.kept.read(b, slot);
-        let moved = b.sub(sample, anchor.newest);
-        fold(b, moved, anchor.turn)
+    /// At the newest sample of an output with an anchor.
+    fn at_newest(&self, b: &mut Builder) -> Option<Moved> {
+        self.anchor.map(|anchor| Moved { sample: anchor.newest, total: b.float(0.0) })
     }
+
+    /// What is summed of the sample at a slot; `moved` is of the sample one call younger, and becomes that of this one.
+    fn sample(&self, b: &mut Builder, slot: Value, moved: &mut Option<Moved>) -> Value {
+        let (Some(anchor), Some(younger)) = (self.anchor, *moved) else { return self.kept.read(b, slot) };
+        let counted: Option<(Value, Counts)> = self.kept.count(b, slot);
+        let (sample, step) = match counted {
+            Some((count, counts)) => (count, counts.steps(b, count, younger.sample)),
+            None => {
+                let sample = self.kept.read(b, slot);
+                let step = b.sub(sample, younger.sample);
+                (sample, fold(b, step, anchor.turn))
+            }
+        };
+        let total = b.add(younger.total, step);
+        *moved = Some(Moved { sample, total });
+        counted.map_or(total, |(_, counts)| counts.in_unit(b, total))
+    }
+}
+
+/// How far an output that wraps was from its newest sample.
+#[derive(Clone, Copy)]
+struct Moved {
+    /// As it is kept.
+    sample: Value,
+    /// In the output's unit, or in counts.
+    total: Value,
 }
 
 /// Running sums by state and, where there are few, by track.
@@ -93,7 +115,8 @@ pub fn estimate(
     let loops = if apart { 1 } else { tracks.len().max(1) };
     let mut sums = Sums::new();
     for tracks in tracks.chunks(tracks.len().div_ceil(loops).max(1)) {
-        let mut window = Window { plant, tracks, apart, sums, len, slot: newest };
+        let moved = tracks.iter().map(|track| track.at_newest(b)).collect();
+        let mut window = Window { plant, tracks, apart, sums, len, slot: newest, moved };
         for (begin, end) in segments(tracks) {
             if end - begin >= SHORTEST_LOOP {
                 window.in_a_loop(b, begin, end);
@@ -136,6 +159,8 @@ struct Window<'a> {
     len: u32,
     /// Slot of the age that comes next.
     slot: Value,
+    /// Per track with an anchor: of the age before it.
+    moved: Vec<Option<Moved>>,
 }
 
 impl Window<'_> {
@@ -158,7 +183,7 @@ impl Window<'_> {
     fn written_out(&mut self, b: &mut Builder, begin: usize, end: usize) {
         for age in begin..end {
             for (track, states) in self.active(age) {
-                let sample = self.tracks[track].sample(b, self.slot);
+                let sample = self.tracks[track].sample(b, self.slot, &mut self.moved[track]);
                 for state in states {
                     let weight = b.float(self.weight(track, state, age));
                     let product = b.mul(weight, sample);
@@ -195,13 +220,22 @@ impl Window<'_> {
         let mut starts: Vec<Value> =
             keys.iter().map(|key| self.sums.get(key).copied().unwrap_or_else(|| b.float(0.0))).collect();
         starts.push(self.slot);
-        let len = self.len;
+        let anchored: Vec<usize> =
+            active.iter().map(|(track, _)| *track).filter(|track| self.moved[*track].is_some()).collect();
+        for moved in anchored.iter().filter_map(|track| self.moved[*track]) {
+            starts.extend([moved.sample, moved.total]);
+        }
+        let (len, first) = (self.len, keys.len() + 1);
         let after = b.loop_over(table, &starts, |b, carried| {
             let slot = carried[keys.len()];
             let mut sums: Sums = keys.iter().copied().zip(carried.iter().copied()).collect();
+            let mut moved = vec![None; self.tracks.len()];
+            for (track, pair) in anchored.iter().zip(carried[first..].chunks(2)) {
+                moved[*track] = Some(Moved { sample: pair[0], total: pair[1] });
+            }
             let mut column = 0;
             for (track, states) in &active {
-                let sample = self.tracks[*track].sample(b, slot);
+                let sample = self.tracks[*track].sample(b, slot, &mut moved[*track]);
                 for state in states {
                     let weight = b.gain(column);
                     let product = b.mul(weight, sample);
@@ -213,9 +247,15 @@ impl Window<'_> {
             }
             let mut next: Vec<Value> = keys.iter().map(|key| sums[key]).collect();
             next.push(b.retreat(slot, len));
+            for moved in anchored.iter().filter_map(|track| moved[*track]) {
+                next.extend([moved.sample, moved.total]);
+            }
             next
         });
         self.slot = after[keys.len()];
+        for (track, pair) in anchored.iter().zip(after[first..].chunks(2)) {
+            self.moved[*track] = Some(Moved { sample: pair[0], total: pair[1] });
+        }
         self.sums.extend(keys.iter().copied().zip(after));
     }
 }
