@@ -146,7 +146,7 @@ impl Ahead {
         carried(&mut certificate.disturbance_gain_l1);
         carried(&mut certificate.initial_gain);
         if !certificate.disturbance_gain_l1.is_empty() {
-            add(&mut certificate.disturbance_gain_l1, &self.disturbed(plant));
+            add(&mut certificate.disturbance_gain_l1, &Self::disturbed(plant));
         }
         certificate.error_bound = match bounded {
             Some(bounds) => bounds.into_iter().map(Some).collect(),
@@ -155,21 +155,19 @@ impl Ahead {
     }
 
     /// What disturbances do meanwhile, n x d.
-    fn disturbed(&self, plant: &Plant) -> Vec<Vec<f64>> {
+    fn disturbed(plant: &Plant) -> Vec<Vec<f64>> {
         let (n, d) = (plant.states.len(), plant.disturbances.len());
         let unit: Vec<Vec<f64>> = (0..n).map(|i| (0..n).map(|j| f64::from(u8::from(i == j))).collect()).collect();
         let Some((time, span)) = &plant.ahead else { return vec![vec![0.0; d]; n] };
         if plant.discrete {
             // Each of the steps brings the column in, and the later ones carry it.
             let steps = whole_steps(plant).unwrap_or(0);
-            let column = |k: usize| -> Vec<f64> {
-                plant.disturbances[k].column.iter().map(|c| c.to_f64().unwrap_or(f64::INFINITY)).collect()
-            };
             let a: Vec<Vec<f64>> =
                 plant.a.iter().map(|row| row.iter().map(|x| x.to_f64().unwrap_or(f64::INFINITY)).collect()).collect();
             let mut sums = vec![vec![0.0; d]; n];
-            for k in 0..d {
-                let mut carried = column(k);
+            for (k, disturbance) in plant.disturbances.iter().enumerate() {
+                let mut carried: Vec<f64> =
+                    disturbance.column.iter().map(|c| c.to_f64().unwrap_or(f64::INFINITY)).collect();
                 for _ in 0..steps {
                     (0..n).for_each(|i| sums[i][k] += carried[i].abs());
                     carried = a.iter().map(|row| row.iter().zip(&carried).map(|(a, x)| a * x).sum()).collect();
@@ -187,7 +185,7 @@ impl Ahead {
     /// The largest error, where there is one for the estimate of now.
     fn bound(&self, plant: &Plant, magnitudes: &[Vec<f64>], certificate: &Certificate) -> Option<Vec<f64>> {
         let now: Vec<f64> = certificate.error_bound.iter().copied().collect::<Option<_>>()?;
-        let disturbed = self.disturbed(plant);
+        let disturbed = Self::disturbed(plant);
         let mut bounds = Vec::new();
         for (i, row) in magnitudes.iter().enumerate() {
             let mut bound: f64 = row.iter().zip(&now).map(|(m, bound)| m * bound).sum();

@@ -62,8 +62,11 @@ fn several_turns_within_a_window() {
     }
 }
 
-/// The estimates and statuses of a step without inputs.
-fn fed(generated: &Generated, samples: impl Iterator<Item = f64>) -> Vec<(Vec<f64>, Status)> {
+/// Every field of an estimate, and its status.
+type Answer = (Vec<f64>, Status);
+
+/// The answers of a step without inputs.
+fn fed(generated: &Generated, samples: impl Iterator<Item = f64>) -> Vec<Answer> {
     let mut interpreter = Interpreter::new(&generated.program);
     let mut estimate = vec![0.0; generated.program.estimates.len()];
     samples
@@ -146,7 +149,7 @@ fn after_thousands_of_turns() {
             [Scalar::F32, Scalar::F64].map(|scalar| fed(&designed_in(&text, scalar), (0..rows.len()).map(far)));
         for i in 0..n {
             let scale = double.iter().map(|(x, _)| x[i].abs()).fold(0.0, f64::max);
-            let off = |((a, _), (b, _)): (&(Vec<f64>, Status), &(Vec<f64>, Status))| {
+            let off = |((a, _), (b, _)): (&Answer, &Answer)| {
                 if i == 0 { folded(a[i] - b[i]).abs() } else { (a[i] - b[i]).abs() }
             };
             let worst = single.iter().zip(&double).map(off).fold(0.0, f64::max);

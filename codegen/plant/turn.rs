@@ -16,7 +16,7 @@ use super::sensor::{Sensor, Wrap};
 /// The turn of an output, proven; of a counter that may overflow unnoticed also without the key. Else why it is none.
 pub(super) fn wrap(plant: &Plant, output: usize, sensor: &Sensor) -> Result<Option<Wrap>, Box<Diagnostic>> {
     if let Some((turn, span)) = &sensor.turn {
-        let direction = direction(plant, output, turn, span).map_err(Box::new)?;
+        let direction = direction(plant, output, turn, span)?;
         return Ok(Some(Wrap { turn: turn.clone(), direction, span: span.clone() }));
     }
     let Some((counter, span)) = &sensor.counter else { return Ok(None) };
@@ -33,10 +33,10 @@ fn direction(
     output: usize,
     turn: &Constant,
     span: &std::ops::Range<usize>,
-) -> Result<Vec<Constant>, Diagnostic> {
-    let Some(direction) = linear(plant, output) else { return Err(no_direction(plant, output, span)) };
+) -> Result<Vec<Constant>, Box<Diagnostic>> {
+    let Some(direction) = linear(plant, output) else { return Err(Box::new(no_direction(plant, output, span))) };
     let moved: Result<Vec<Poly>, _> = direction.iter().map(|s| Ok(s.times(turn)?.poly().clone())).collect();
-    let moved = moved.map_err(|_: PolyError| refusal(plant, output, span).label("too large to tell"))?;
+    let moved = moved.map_err(|_: PolyError| Box::new(refusal(plant, output, span).label("too large to tell")))?;
     let shift = Shift { moved: &moved };
     for injection in &plant.injections {
         if !shift.keeps(&injection.node.poly) {
@@ -44,13 +44,15 @@ fn direction(
                 "`{}` is not the same a turn of `{}` further",
                 injection.text, plant.outputs[output].label.name
             );
-            return Err(refusal(plant, output, span).label(label).context(injection.node.span.clone(), "this changes"));
+            return Err(Box::new(
+                refusal(plant, output, span).label(label).context(injection.node.span.clone(), "this changes"),
+            ));
         }
     }
     for unknown in &plant.unknowns {
         if unknown.gamma.iter().any(|factor| !shift.keeps(factor)) {
             let label = format!("the factor of `{}` is not the same a turn further", unknown.label.name);
-            return Err(refusal(plant, output, span).label(label));
+            return Err(Box::new(refusal(plant, output, span).label(label)));
         }
     }
     Ok(direction)
@@ -120,7 +122,7 @@ fn solve(mut rows: Vec<Vec<Rational>>, n: usize) -> Option<Vec<Rational>> {
     }
     let mut solution = vec![Rational::ZERO; n];
     for (row, column) in pivots.into_iter().enumerate() {
-        solution[column] = rows[row][n].clone();
+        solution[column].clone_from(&rows[row][n]);
     }
     Some(solution)
 }
@@ -155,9 +157,8 @@ impl Shift<'_> {
     /// Whether every factor of a monomial is the same after the shift.
     fn keeps_all(&self, monomial: &Monomial) -> bool {
         monomial.factors().iter().all(|(atom, _)| match atom {
-            Atom::Pi => true,
             Atom::Symbol(Symbol::State(j)) => self.moved[*j].is_zero(),
-            Atom::Symbol(_) => true,
+            Atom::Pi | Atom::Symbol(_) => true,
             Atom::Reciprocal(sum) => self.keeps(sum),
             Atom::Call(function, arguments) => {
                 arguments.iter().all(|argument| self.keeps(argument)) || self.is_period(*function, arguments)

@@ -335,13 +335,7 @@ fn run<O: Observer + Default + Copy>(
                 if which != of {
                     return String::new();
                 }
-                let number = format!("number(seed, {:?}, {:?})", span.centre, span.amplitude);
-                match field.kind {
-                    Kind::Count { bits, signed } => {
-                        format!("{}: count({number}) as {}{bits}, ", field.name, if signed { "i" } else { "u" })
-                    }
-                    Kind::Float | Kind::Index => format!("{}: {number}{narrowed}, ", field.name),
-                }
+                rust_field(field, span, narrowed)
             })
         };
         let inputs = if program.inputs.is_empty() {
@@ -358,6 +352,17 @@ fn run<O: Observer + Default + Copy>(
         );
     }
     text + "}\n"
+}
+
+/// A field of a struct with its number.
+fn rust_field(field: &Field, span: Span, narrowed: &str) -> String {
+    let number = format!("number(seed, {:?}, {:?})", span.centre, span.amplitude);
+    match field.kind {
+        Kind::Count { bits, signed } => {
+            format!("{}: count({number}) as {}{bits}, ", field.name, if signed { "i" } else { "u" })
+        }
+        Kind::Float | Kind::Index => format!("{}: {number}{narrowed}, ", field.name),
+    }
 }
 
 /// A C program that feeds every observer bits of every kind, then nothing to the unstable ones, and
@@ -435,9 +440,10 @@ fn c_abuse(subject: &Subject, phase: usize) -> String {
             format!("        {}", line("(gone ? 0 : step)"))
         }
     });
-    let floats = program.estimates.iter().filter(|(field, _)| field.kind == Kind::Float);
-    let mut checks: String =
-        floats.map(|(field, _)| format!("        fine = fine && isfinite(estimate.{});\n", field.name)).collect();
+    let mut checks = String::new();
+    for (field, _) in program.estimates.iter().filter(|(field, _)| field.kind == Kind::Float) {
+        let _ = writeln!(checks, "        fine = fine && isfinite(estimate.{});", field.name);
+    }
     for cell in &program.cells {
         match cell.kind {
             CellKind::Float { .. } => drop(writeln!(checks, "        fine = fine && isfinite(state.{});", cell.name)),
