@@ -74,9 +74,9 @@ typedef struct {
     uint32_t t81;
     float t94;
     uint32_t t97;
-    float t161;
-    float t162;
-    absolute_encoder_status t169;
+    float t165;
+    float t166;
+    absolute_encoder_status t173;
     int flags[5]; /* t4, t15, t68, t70, t73 */
 } absolute_encoder_work;
 
@@ -90,7 +90,7 @@ static void absolute_encoder_part_1(const absolute_encoder_state *state, const a
     work->flags[0] = 20U < work->t2;
     work->t5 = (uint32_t)measurements->y;
     const float t14 = inputs->u;
-    work->flags[1] = (-1e35f <= t14) && (t14 <= 1e35f);
+    work->flags[1] = (-1e33f <= t14) && (t14 <= 1e33f);
     const float t16 = state->u[work->t1];
     work->t17 = work->flags[1] ? t14 : t16;
 }
@@ -205,69 +205,75 @@ static void absolute_encoder_part_3(absolute_encoder_state *state, absolute_enco
     state->u[work->t18] = work->t17;
 
     /* the sums over the window, newest sample first */
-    const float t112 = state->u[work->t18];
-    const float t114 = 0.019486334f * t112;
-    const uint32_t t115 = ((work->t18 >= 1U) && (work->t18 < 21U)) ? (work->t18 - 1U) : 20U;
+    const float t113 = state->u[work->t18];
+    const float t115 = 0.019486334f * t113;
+    const uint32_t t116 = ((work->t18 >= 1U) && (work->t18 < 21U)) ? (work->t18 - 1U) : 20U;
     float t117 = 0.0f;
     float t118 = 0.0f;
-    float t119 = t114;
-    uint32_t t120 = t115;
+    float t119 = t115;
+    uint32_t t120 = t116;
+    uint32_t t121 = work->t81;
+    float t122 = 0.0f;
     for (uint32_t row = 0U; row < 19U; ++row) {
         const float *const gains = ABSOLUTE_ENCODER_WINDOW[row];
-        const uint32_t t121 = state->y[t120];
-        const uint32_t t122 = (((t121 - work->t81) + 32768U) & 65535U) - 32768U;
-        const float t123 = (t122 < 2147483648U) ? (float)t122 : -(float)(0U - t122);
-        const float t124 = t123 * 0.00024414063f;
-        const float t125 = t124 + 1.2582912e7f;
-        const float t126 = t125 - 1.2582912e7f;
-        const float t127 = t126 * 4096.0f;
-        const float t128 = t123 - t127;
-        const float t129 = 0.0015339808f * t128;
-        const float t130 = gains[0];
-        const float t131 = t130 * t129;
-        const float t132 = t117 + t131;
-        const float t133 = gains[1];
-        const float t134 = t133 * t129;
-        const float t135 = t118 + t134;
-        const float t136 = state->u[t120];
-        const float t137 = gains[2];
-        const float t138 = t137 * t136;
-        const float t139 = t119 + t138;
-        const uint32_t t140 = ((t120 >= 1U) && (t120 < 21U)) ? (t120 - 1U) : 20U;
-        t117 = t132;
-        t118 = t135;
-        t119 = t139;
-        t120 = t140;
+        const uint32_t t123 = state->y[t120];
+        const uint32_t t124 = (((t123 - t121) + 32768U) & 65535U) - 32768U;
+        const float t125 = (t124 < 2147483648U) ? (float)t124 : -(float)(0U - t124);
+        const float t126 = t125 * 0.00024414063f;
+        const float t127 = t126 + 1.2582912e7f;
+        const float t128 = t127 - 1.2582912e7f;
+        const float t129 = t128 * 4096.0f;
+        const float t130 = t125 - t129;
+        const float t131 = t122 + t130;
+        const float t132 = 0.0015339808f * t131;
+        const float t133 = gains[0];
+        const float t134 = t133 * t132;
+        const float t135 = t117 + t134;
+        const float t136 = gains[1];
+        const float t137 = t136 * t132;
+        const float t138 = t118 + t137;
+        const float t139 = state->u[t120];
+        const float t140 = gains[2];
+        const float t141 = t140 * t139;
+        const float t142 = t119 + t141;
+        const uint32_t t143 = ((t120 >= 1U) && (t120 < 21U)) ? (t120 - 1U) : 20U;
+        t117 = t135;
+        t118 = t138;
+        t119 = t142;
+        t120 = t143;
+        t121 = t123;
+        t122 = t131;
     }
-    const uint32_t t141 = state->y[t120];
-    const uint32_t t142 = (((t141 - work->t81) + 32768U) & 65535U) - 32768U;
-    const float t143 = (t142 < 2147483648U) ? (float)t142 : -(float)(0U - t142);
-    const float t144 = t143 * 0.00024414063f;
-    const float t145 = t144 + 1.2582912e7f;
-    const float t146 = t145 - 1.2582912e7f;
-    const float t147 = t146 * 4096.0f;
-    const float t148 = t143 - t147;
-    const float t149 = 0.0015339808f * t148;
-    const float t150 = 0.0f * t149;
-    const float t151 = t117 + t150;
-    const float t153 = -12.396859f * t149;
-    const float t154 = t118 + t153;
-    const float t155 = t154 + t119;
+    const uint32_t t144 = state->y[t120];
+    const uint32_t t145 = (((t144 - t121) + 32768U) & 65535U) - 32768U;
+    const float t146 = (t145 < 2147483648U) ? (float)t145 : -(float)(0U - t145);
+    const float t147 = t146 * 0.00024414063f;
+    const float t148 = t147 + 1.2582912e7f;
+    const float t149 = t148 - 1.2582912e7f;
+    const float t150 = t149 * 4096.0f;
+    const float t151 = t146 - t150;
+    const float t152 = t122 + t151;
+    const float t153 = 0.0015339808f * t152;
+    const float t154 = 0.0f * t153;
+    const float t155 = t117 + t154;
+    const float t157 = -12.396859f * t153;
+    const float t158 = t118 + t157;
+    const float t159 = t158 + t119;
 
     /* the next measurement, as far as it is known */
-    const float t157 = 0.0009980027f * t155;
-    const float t158 = t151 + t157;
-    state->ahead_y = t158;
+    const float t161 = 0.0009980027f * t159;
+    const float t162 = t155 + t161;
+    state->ahead_y = t162;
 
     /* the estimate; until the window is full, the start */
-    const float t159 = t151 + work->t94;
-    const int t160 = 20U < t106;
-    work->t161 = t160 ? t159 : work->t94;
-    work->t162 = t160 ? t155 : 0.0f;
-    const uint32_t t163 = state->coasting;
-    const int t164 = t163 == 0U;
-    const absolute_encoder_status t168 = t164 ? ABSOLUTE_ENCODER_CONVERGED : ABSOLUTE_ENCODER_COASTING;
-    work->t169 = t160 ? t168 : ABSOLUTE_ENCODER_CONVERGING;
+    const float t163 = t155 + work->t94;
+    const int t164 = 20U < t106;
+    work->t165 = t164 ? t163 : work->t94;
+    work->t166 = t164 ? t159 : 0.0f;
+    const uint32_t t167 = state->coasting;
+    const int t168 = t167 == 0U;
+    const absolute_encoder_status t172 = t168 ? ABSOLUTE_ENCODER_CONVERGED : ABSOLUTE_ENCODER_COASTING;
+    work->t173 = t164 ? t172 : ABSOLUTE_ENCODER_CONVERGING;
 }
 
 void absolute_encoder_init(absolute_encoder_state *state)
@@ -294,8 +300,8 @@ void absolute_encoder_step(absolute_encoder_state *state, const absolute_encoder
     absolute_encoder_part_2(state, &work);
     absolute_encoder_part_3(state, &work);
 
-    estimate->q = work.t161;
-    estimate->dq = work.t162;
+    estimate->q = work.t165;
+    estimate->dq = work.t166;
     estimate->coasted = work.t97;
-    estimate->status = work.t169;
+    estimate->status = work.t173;
 }

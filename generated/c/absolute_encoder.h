@@ -20,9 +20,9 @@
  *   noise gain from y, white       1         52.27
  *   error bound from noise         7.670e-4  0.08956
  *
- * Cost       140 multiplications, 150 additions a call, the same for every call
+ * Cost       140 multiplications, 170 additions a call, the same for every call
  * Memory     state 152 bytes, constants 228 bytes
- *            at most: stack 1620 bytes, flash 5924 bytes without elementary functions
+ *            at most: stack 1652 bytes, flash 6076 bytes without elementary functions
  *
  * Contract:
  *  1. No heap, no recursion, no global or static mutable data, no file or console, no library.

@@ -72,10 +72,10 @@ typedef struct {
     float t59;
     uint32_t t62;
     uint32_t t70;
-    float t103;
-    float t104;
-    float t105;
-    counter_status t112;
+    float t106;
+    float t107;
+    float t108;
+    counter_status t115;
 } counter_work;
 
 /* Part 1 of a step. */
@@ -165,50 +165,55 @@ static void counter_part_1(counter_state *state, const counter_measurements *mea
 static void counter_part_2(counter_state *state, counter_work *work)
 {
     /* the sums over the window, newest sample first */
-    const uint32_t t75 = ((work->t8 >= 1U) && (work->t8 < 21U)) ? (work->t8 - 1U) : 20U;
+    const uint32_t t76 = ((work->t8 >= 1U) && (work->t8 < 21U)) ? (work->t8 - 1U) : 20U;
     float t77 = 0.0f;
     float t78 = 0.0f;
     float t79 = 0.0f;
-    uint32_t t80 = t75;
+    uint32_t t80 = t76;
+    uint32_t t81 = work->t56;
+    float t82 = 0.0f;
     for (uint32_t row = 0U; row < 20U; ++row) {
         const float *const gains = COUNTER_WINDOW[row];
-        const uint32_t t81 = state->y[t80];
-        const uint32_t t82 = t81 - work->t56;
-        const float t83 = (t82 < 2147483648U) ? (float)t82 : -(float)(0U - t82);
-        const float t84 = 1e-6f * t83;
-        const float t85 = gains[0];
-        const float t86 = t85 * t84;
-        const float t87 = t77 + t86;
-        const float t88 = gains[1];
-        const float t89 = t88 * t84;
-        const float t90 = t78 + t89;
-        const float t91 = gains[2];
-        const float t92 = t91 * t84;
-        const float t93 = t79 + t92;
-        const uint32_t t94 = ((t80 >= 1U) && (t80 < 21U)) ? (t80 - 1U) : 20U;
-        t77 = t87;
-        t78 = t90;
-        t79 = t93;
-        t80 = t94;
+        const uint32_t t83 = state->y[t80];
+        const uint32_t t84 = t83 - t81;
+        const float t85 = (t84 < 2147483648U) ? (float)t84 : -(float)(0U - t84);
+        const float t86 = t82 + t85;
+        const float t87 = 1e-6f * t86;
+        const float t88 = gains[0];
+        const float t89 = t88 * t87;
+        const float t90 = t77 + t89;
+        const float t91 = gains[1];
+        const float t92 = t91 * t87;
+        const float t93 = t78 + t92;
+        const float t94 = gains[2];
+        const float t95 = t94 * t87;
+        const float t96 = t79 + t95;
+        const uint32_t t97 = ((t80 >= 1U) && (t80 < 21U)) ? (t80 - 1U) : 20U;
+        t77 = t90;
+        t78 = t93;
+        t79 = t96;
+        t80 = t97;
+        t81 = t83;
+        t82 = t86;
     }
 
     /* the next measurement, as far as it is known */
-    const float t96 = 0.001f * t78;
-    const float t98 = 5e-7f * t79;
-    const float t99 = t77 + t96;
-    const float t100 = t99 + t98;
-    state->ahead_y = t100;
+    const float t99 = 0.001f * t78;
+    const float t101 = 5e-7f * t79;
+    const float t102 = t77 + t99;
+    const float t103 = t102 + t101;
+    state->ahead_y = t103;
 
     /* the estimate; until the window is full, the start */
-    const float t101 = t77 + work->t59;
-    const int t102 = 20U < work->t70;
-    work->t103 = t102 ? t101 : work->t59;
-    work->t104 = t102 ? t78 : 0.0f;
-    work->t105 = t102 ? t79 : 0.0f;
-    const uint32_t t106 = state->coasting;
-    const int t107 = t106 == 0U;
-    const counter_status t111 = t107 ? COUNTER_CONVERGED : COUNTER_COASTING;
-    work->t112 = t102 ? t111 : COUNTER_CONVERGING;
+    const float t104 = t77 + work->t59;
+    const int t105 = 20U < work->t70;
+    work->t106 = t105 ? t104 : work->t59;
+    work->t107 = t105 ? t78 : 0.0f;
+    work->t108 = t105 ? t79 : 0.0f;
+    const uint32_t t109 = state->coasting;
+    const int t110 = t109 == 0U;
+    const counter_status t114 = t110 ? COUNTER_CONVERGED : COUNTER_COASTING;
+    work->t115 = t105 ? t114 : COUNTER_CONVERGING;
 }
 
 void counter_init(counter_state *state)
@@ -231,9 +236,9 @@ void counter_step(counter_state *state, const counter_measurements *measurements
     counter_part_1(state, measurements, &work);
     counter_part_2(state, &work);
 
-    estimate->x = work.t103;
-    estimate->v = work.t104;
-    estimate->a = work.t105;
+    estimate->x = work.t106;
+    estimate->v = work.t107;
+    estimate->a = work.t108;
     estimate->coasted = work.t62;
-    estimate->status = work.t112;
+    estimate->status = work.t115;
 }

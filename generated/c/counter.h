@@ -21,9 +21,9 @@
  *   noise gain from y, white       0.5969    138.3     13350
  *   error bound from noise         9.743e-7  2.699e-4  0.02627
  *
- * Cost       90 multiplications, 73 additions a call, the same for every call
+ * Cost       90 multiplications, 93 additions a call, the same for every call
  * Memory     state 108 bytes, constants 240 bytes
- *            at most: stack 1164 bytes, flash 4344 bytes without elementary functions
+ *            at most: stack 1188 bytes, flash 4468 bytes without elementary functions
  *
  * Contract:
  *  1. No heap, no recursion, no global or static mutable data, no file or console, no library.

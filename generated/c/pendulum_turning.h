@@ -25,9 +25,9 @@
  *   error bound from noise         0.002013  0.1826  0.7338
  *   on top: nonlinear terms are straight lines between samples, second order in the sample time
  *
- * Cost       348 multiplications, 417 additions, 1 sin a call, the same for every call
+ * Cost       348 multiplications, 447 additions, 1 sin a call, the same for every call
  * Memory     state 396 bytes, constants 1044 bytes
- *            at most: stack 2236 bytes, flash 8184 bytes without elementary functions
+ *            at most: stack 2268 bytes, flash 8336 bytes without elementary functions
  *
  * Contract:
  *  1. No heap, no recursion, no global or static mutable data, no file or console, no library.

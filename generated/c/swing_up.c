@@ -86,45 +86,47 @@ void swing_up_step(swing_up_state *state, const swing_up_measurements *measureme
     state->y[t21] = t34;
 
     /* the sums over the window, newest sample first */
-    const uint32_t t46 = ((t21 >= 1U) && (t21 < 3U)) ? (t21 - 1U) : 2U;
-    const float t47 = state->y[t46];
-    const float t48 = t47 - t34;
-    const float t49 = t48 * 0.15915494f;
-    const float t50 = t49 + 1.2582912e7f;
-    const float t51 = t50 - 1.2582912e7f;
-    const float t52 = t51 * 6.2831855f;
-    const float t53 = t48 - t52;
-    const float t55 = 0.33333334f * t53;
-    const float t57 = 0.0f * t53;
-    const uint32_t t58 = ((t46 >= 1U) && (t46 < 3U)) ? (t46 - 1U) : 2U;
-    const float t59 = state->y[t58];
-    const float t60 = t59 - t34;
-    const float t61 = t60 * 0.15915494f;
-    const float t62 = t61 + 1.2582912e7f;
-    const float t63 = t62 - 1.2582912e7f;
-    const float t64 = t63 * 6.2831855f;
-    const float t65 = t60 - t64;
-    const float t67 = -0.16666667f * t65;
-    const float t68 = t55 + t67;
-    const float t70 = -100.0f * t65;
-    const float t71 = t57 + t70;
+    const uint32_t t47 = ((t21 >= 1U) && (t21 < 3U)) ? (t21 - 1U) : 2U;
+    const float t48 = state->y[t47];
+    const float t49 = t48 - t34;
+    const float t50 = t49 * 0.15915494f;
+    const float t51 = t50 + 1.2582912e7f;
+    const float t52 = t51 - 1.2582912e7f;
+    const float t53 = t52 * 6.2831855f;
+    const float t54 = t49 - t53;
+    const float t55 = 0.0f + t54;
+    const float t57 = 0.33333334f * t55;
+    const float t58 = 0.0f * t55;
+    const uint32_t t59 = ((t47 >= 1U) && (t47 < 3U)) ? (t47 - 1U) : 2U;
+    const float t60 = state->y[t59];
+    const float t61 = t60 - t48;
+    const float t62 = t61 * 0.15915494f;
+    const float t63 = t62 + 1.2582912e7f;
+    const float t64 = t63 - 1.2582912e7f;
+    const float t65 = t64 * 6.2831855f;
+    const float t66 = t61 - t65;
+    const float t67 = t55 + t66;
+    const float t69 = -0.16666667f * t67;
+    const float t70 = t57 + t69;
+    const float t72 = -100.0f * t67;
+    const float t73 = t58 + t72;
 
     /* the next measurement, as far as it is known */
-    const float t73 = 0.005f * t71;
-    const float t74 = t68 + t73;
-    state->ahead_y = t74;
+    const float t75 = 0.005f * t73;
+    const float t76 = t70 + t75;
+    state->ahead_y = t76;
 
     /* the estimate; until the window is full, the start */
-    const float t75 = t68 + t34;
-    const int t76 = 2U < t41;
-    const float t77 = t76 ? t75 : t34;
-    const float t78 = t76 ? t71 : 0.0f;
-    const uint32_t t79 = state->coasting;
-    const int t80 = t79 == 0U;
-    const swing_up_status t84 = t80 ? SWING_UP_CONVERGED : SWING_UP_COASTING;
-    const swing_up_status t85 = t76 ? t84 : SWING_UP_CONVERGING;
+    const float t77 = t70 + t34;
+    const int t78 = 2U < t41;
+    const float t79 = t78 ? t77 : t34;
+    const float t80 = t78 ? t73 : 0.0f;
+    const uint32_t t81 = state->coasting;
+    const int t82 = t81 == 0U;
+    const swing_up_status t86 = t82 ? SWING_UP_CONVERGED : SWING_UP_COASTING;
+    const swing_up_status t87 = t78 ? t86 : SWING_UP_CONVERGING;
 
-    estimate->q = t77;
-    estimate->dq = t78;
-    estimate->status = t85;
+    estimate->q = t79;
+    estimate->dq = t80;
+    estimate->status = t87;
 }

@@ -19,9 +19,9 @@
  *   noise gain from y, white       0.9129    141.4
  *   error bound from noise         0.001943  0.2914
  *
- * Cost       15 multiplications, 21 additions a call, the same for every call
+ * Cost       15 multiplications, 23 additions a call, the same for every call
  * Memory     state 28 bytes, constants 0 bytes
- *            at most: stack 944 bytes, flash 2900 bytes without elementary functions
+ *            at most: stack 960 bytes, flash 2956 bytes without elementary functions
  *
  * Contract:
  *  1. No heap, no recursion, no global or static mutable data, no file or console, no library.

@@ -22,9 +22,9 @@
 //!   noise gain from y, white       0.5969    138.3     13350
 //!   error bound from noise         9.743e-7  2.699e-4  0.02627
 //!
-//! Cost       90 multiplications, 73 additions a call, the same for every call
+//! Cost       90 multiplications, 93 additions a call, the same for every call
 //! Memory     state 108 bytes, constants 240 bytes
-//!            at most: stack 1164 bytes, flash 4344 bytes without elementary functions
+//!            at most: stack 1188 bytes, flash 4468 bytes without elementary functions
 //!
 //! Contract:
 //!  1. No heap, no recursion, no global or static mutable data, no file or console, no library.
@@ -120,10 +120,10 @@ struct Work {
     t059: f32,
     t062: usize,
     t070: usize,
-    t103: f32,
-    t104: f32,
-    t105: f32,
-    t112: Status,
+    t106: f32,
+    t107: f32,
+    t108: f32,
+    t115: Status,
 }
 
 impl Work {
@@ -134,10 +134,10 @@ impl Work {
         t059: 0.0,
         t062: 0,
         t070: 0,
-        t103: 0.0,
-        t104: 0.0,
-        t105: 0.0,
-        t112: Status::Converging,
+        t106: 0.0,
+        t107: 0.0,
+        t108: 0.0,
+        t115: Status::Converging,
     };
 }
 
@@ -162,11 +162,11 @@ impl Observer {
         self.part_1(measurements, &mut work);
         self.part_2(&mut work);
         Estimate {
-            x: work.t103,
-            v: work.t104,
-            a: work.t105,
+            x: work.t106,
+            v: work.t107,
+            a: work.t108,
             coasted: ::deadbeat::math::u32_from_index(work.t062),
-            status: work.t112,
+            status: work.t115,
         }
     }
 
@@ -255,49 +255,54 @@ impl Observer {
     /// Part 2 of a step.
     fn part_2(&mut self, work: &mut Work) {
         // the sums over the window, newest sample first
-        let t075 = work.t008.wrapping_sub(1).min(20);
+        let t076 = work.t008.wrapping_sub(1).min(20);
         let mut t077: f32 = 0.0;
         let mut t078: f32 = 0.0;
         let mut t079: f32 = 0.0;
-        let mut t080: usize = t075;
+        let mut t080: usize = t076;
+        let mut t081: usize = work.t056;
+        let mut t082: f32 = 0.0;
         for gains in &WINDOW {
-            let t081 = ::deadbeat::math::index_from_u32(self.y[t080]);
-            let t082 = ::deadbeat::math::difference_32(t081, work.t056);
-            let t083 = ::deadbeat::math::f32_from_signed(t082);
-            let t084 = 1e-6 * t083;
-            let t085 = gains[0];
-            let t086 = t085 * t084;
-            let t087 = t077 + t086;
-            let t088 = gains[1];
-            let t089 = t088 * t084;
-            let t090 = t078 + t089;
-            let t091 = gains[2];
-            let t092 = t091 * t084;
-            let t093 = t079 + t092;
-            let t094 = t080.wrapping_sub(1).min(20);
-            t077 = t087;
-            t078 = t090;
-            t079 = t093;
-            t080 = t094;
+            let t083 = ::deadbeat::math::index_from_u32(self.y[t080]);
+            let t084 = ::deadbeat::math::difference_32(t083, t081);
+            let t085 = ::deadbeat::math::f32_from_signed(t084);
+            let t086 = t082 + t085;
+            let t087 = 1e-6 * t086;
+            let t088 = gains[0];
+            let t089 = t088 * t087;
+            let t090 = t077 + t089;
+            let t091 = gains[1];
+            let t092 = t091 * t087;
+            let t093 = t078 + t092;
+            let t094 = gains[2];
+            let t095 = t094 * t087;
+            let t096 = t079 + t095;
+            let t097 = t080.wrapping_sub(1).min(20);
+            t077 = t090;
+            t078 = t093;
+            t079 = t096;
+            t080 = t097;
+            t081 = t083;
+            t082 = t086;
         }
 
         // the next measurement, as far as it is known
-        let t096 = 0.001 * t078;
-        let t098 = 5e-7 * t079;
-        let t099 = t077 + t096;
-        let t100 = t099 + t098;
-        self.ahead_y = t100;
+        let t099 = 0.001 * t078;
+        let t101 = 5e-7 * t079;
+        let t102 = t077 + t099;
+        let t103 = t102 + t101;
+        self.ahead_y = t103;
 
         // the estimate; until the window is full, the start
-        let t101 = t077 + work.t059;
-        let t102 = 20 < work.t070;
-        work.t103 = if t102 { t101 } else { work.t059 };
-        work.t104 = if t102 { t078 } else { 0.0 };
-        work.t105 = if t102 { t079 } else { 0.0 };
-        let t106 = self.coasting;
-        let t107 = t106 == 0;
-        let t111 = if t107 { Status::Converged } else { Status::Coasting };
-        work.t112 = if t102 { t111 } else { Status::Converging };
+        let t104 = t077 + work.t059;
+        let t105 = 20 < work.t070;
+        work.t106 = if t105 { t104 } else { work.t059 };
+        work.t107 = if t105 { t078 } else { 0.0 };
+        work.t108 = if t105 { t079 } else { 0.0 };
+        let t109 = self.coasting;
+        let t110 = t109 == 0;
+        let t114 = if t110 { Status::Converged } else { Status::Coasting };
+        work.t115 = if t105 { t114 } else { Status::Converging };
     }
 }
 const _: f32 = SAMPLE_TIME;

@@ -26,9 +26,9 @@
 //!   error bound from noise         0.002013  0.1826  0.7338
 //!   on top: nonlinear terms are straight lines between samples, second order in the sample time
 //!
-//! Cost       348 multiplications, 417 additions, 1 sin a call, the same for every call
+//! Cost       348 multiplications, 447 additions, 1 sin a call, the same for every call
 //! Memory     state 396 bytes, constants 1044 bytes
-//!            at most: stack 2236 bytes, flash 8184 bytes without elementary functions
+//!            at most: stack 2268 bytes, flash 8336 bytes without elementary functions
 //!
 //! Contract:
 //!  1. No heap, no recursion, no global or static mutable data, no file or console, no library.
@@ -239,17 +239,20 @@ struct Work {
     t082: f32,
     t085: usize,
     t094: usize,
+    t117: f32,
     t120: f32,
+    t121: f32,
     t123: f32,
-    t175: f32,
-    t178: f32,
-    t185: f32,
-    t188: f32,
-    t190: f32,
-    t205: f32,
-    t206: f32,
-    t207: f32,
-    t214: Status,
+    t124: f32,
+    t176: f32,
+    t179: f32,
+    t182: f32,
+    t183: f32,
+    t186: f32,
+    t209: f32,
+    t210: f32,
+    t211: f32,
+    t218: Status,
     /// t4, t22, t59, t61, t81
     flags: [bool; 5],
 }
@@ -264,17 +267,20 @@ impl Work {
         t082: 0.0,
         t085: 0,
         t094: 0,
+        t117: 0.0,
         t120: 0.0,
+        t121: 0.0,
         t123: 0.0,
-        t175: 0.0,
-        t178: 0.0,
-        t185: 0.0,
-        t188: 0.0,
-        t190: 0.0,
-        t205: 0.0,
-        t206: 0.0,
-        t207: 0.0,
-        t214: Status::Converging,
+        t124: 0.0,
+        t176: 0.0,
+        t179: 0.0,
+        t182: 0.0,
+        t183: 0.0,
+        t186: 0.0,
+        t209: 0.0,
+        t210: 0.0,
+        t211: 0.0,
+        t218: Status::Converging,
         flags: [false; 5],
     };
 }
@@ -305,11 +311,11 @@ impl Observer {
         self.part_3(&mut work);
         self.part_4(&mut work);
         Estimate {
-            q: work.t205,
-            dq: work.t206,
-            load: work.t207,
+            q: work.t209,
+            dq: work.t210,
+            load: work.t211,
             coasted: ::deadbeat::math::u32_from_index(work.t085),
-            status: work.t214,
+            status: work.t218,
         }
     }
 
@@ -332,7 +338,7 @@ impl Observer {
         let t019 = t011 * 3.019_916e-7;
         let t020 = t017 - t019;
         let t021 = inputs.tau;
-        work.flags[1] = (-1e34..=1e34).contains(&t021);
+        work.flags[1] = (-1e32..=1e32).contains(&t021);
         let t023 = self.tau[t001];
         work.t024 = if work.flags[1] { t021 } else { t023 };
 
@@ -425,124 +431,130 @@ impl Observer {
     /// Part 3 of a step.
     fn part_3(&self, work: &mut Work) {
         // the sums over the window, newest sample first
-        let t100 = self.tau[work.t025.min(30)];
-        let t102 = 1.226_912_1e-5 * t100;
-        let t104 = 0.016_169_578 * t100;
-        let t106 = -0.000_916_829_6 * t100;
-        let t107 = self.sin_q[work.t025.min(30)];
-        let t109 = -1.083_463_5e-5 * t107;
-        let t111 = -0.021_542_734 * t107;
-        let t113 = 0.000_809_635_4 * t107;
-        let t114 = work.t025.wrapping_sub(1).min(30);
+        let t101 = self.tau[work.t025.min(30)];
+        let t103 = 1.226_912_1e-5 * t101;
+        let t105 = 0.016_169_578 * t101;
+        let t107 = -0.000_916_829_6 * t101;
+        let t108 = self.sin_q[work.t025.min(30)];
+        let t110 = -1.083_463_5e-5 * t108;
+        let t112 = -0.021_542_734 * t108;
+        let t114 = 0.000_809_635_4 * t108;
+        let t115 = work.t025.wrapping_sub(1).min(30);
         let mut t116: f32 = 0.0;
-        let mut t117: f32 = t102;
-        let mut t118: f32 = t109;
+        work.t117 = t103;
+        let mut t118: f32 = t110;
         let mut t119: f32 = 0.0;
-        work.t120 = t104;
-        let mut t121: f32 = t111;
+        work.t120 = t105;
+        work.t121 = t112;
         let mut t122: f32 = 0.0;
-        work.t123 = t106;
-        let mut t124: f32 = t113;
-        let mut t125: usize = t114;
+        work.t123 = t107;
+        work.t124 = t114;
+        let mut t125: usize = t115;
+        let mut t126: f32 = work.t082;
+        let mut t127: f32 = 0.0;
         for gains in &WINDOW {
-            let t126 = self.y[t125];
-            let t127 = t126 - work.t082;
-            let t128 = t127 * 0.159_154_94;
-            let t129 = t128 + 1.258_291_2e7;
-            let t130 = t129 - 1.258_291_2e7;
-            let t131 = t130 * 6.283_185_5;
-            let t132 = t127 - t131;
-            let t133 = gains[0];
-            let t134 = t133 * t132;
-            let t135 = t116 + t134;
-            let t136 = gains[1];
-            let t137 = t136 * t132;
-            let t138 = t119 + t137;
-            let t139 = gains[2];
-            let t140 = t139 * t132;
-            let t141 = t122 + t140;
-            let t142 = self.tau[t125];
-            let t143 = gains[3];
-            let t144 = t143 * t142;
-            let t145 = t117 + t144;
-            let t146 = gains[4];
-            let t147 = t146 * t142;
-            let t148 = work.t120 + t147;
-            let t149 = gains[5];
-            let t150 = t149 * t142;
-            let t151 = work.t123 + t150;
-            let t152 = self.sin_q[t125];
-            let t153 = gains[6];
-            let t154 = t153 * t152;
-            let t155 = t118 + t154;
-            let t156 = gains[7];
-            let t157 = t156 * t152;
-            let t158 = t121 + t157;
-            let t159 = gains[8];
-            let t160 = t159 * t152;
-            let t161 = t124 + t160;
-            let t162 = t125.wrapping_sub(1).min(30);
-            t116 = t135;
-            t117 = t145;
-            t118 = t155;
-            t119 = t138;
-            work.t120 = t148;
-            t121 = t158;
-            t122 = t141;
-            work.t123 = t151;
-            t124 = t161;
-            t125 = t162;
+            let t128 = self.y[t125];
+            let t129 = t128 - t126;
+            let t130 = t129 * 0.159_154_94;
+            let t131 = t130 + 1.258_291_2e7;
+            let t132 = t131 - 1.258_291_2e7;
+            let t133 = t132 * 6.283_185_5;
+            let t134 = t129 - t133;
+            let t135 = t127 + t134;
+            let t136 = gains[0];
+            let t137 = t136 * t135;
+            let t138 = t116 + t137;
+            let t139 = gains[1];
+            let t140 = t139 * t135;
+            let t141 = t119 + t140;
+            let t142 = gains[2];
+            let t143 = t142 * t135;
+            let t144 = t122 + t143;
+            let t145 = self.tau[t125];
+            let t146 = gains[3];
+            let t147 = t146 * t145;
+            let t148 = work.t117 + t147;
+            let t149 = gains[4];
+            let t150 = t149 * t145;
+            let t151 = work.t120 + t150;
+            let t152 = gains[5];
+            let t153 = t152 * t145;
+            let t154 = work.t123 + t153;
+            let t155 = self.sin_q[t125];
+            let t156 = gains[6];
+            let t157 = t156 * t155;
+            let t158 = t118 + t157;
+            let t159 = gains[7];
+            let t160 = t159 * t155;
+            let t161 = work.t121 + t160;
+            let t162 = gains[8];
+            let t163 = t162 * t155;
+            let t164 = work.t124 + t163;
+            let t165 = t125.wrapping_sub(1).min(30);
+            t116 = t138;
+            work.t117 = t148;
+            t118 = t158;
+            t119 = t141;
+            work.t120 = t151;
+            work.t121 = t161;
+            t122 = t144;
+            work.t123 = t154;
+            work.t124 = t164;
+            t125 = t165;
+            t126 = t128;
+            t127 = t135;
         }
-        let t163 = self.y[t125];
-        let t164 = t163 - work.t082;
-        let t165 = t164 * 0.159_154_94;
-        let t166 = t165 + 1.258_291_2e7;
-        let t167 = t166 - 1.258_291_2e7;
-        let t168 = t167 * 6.283_185_5;
-        let t169 = t164 - t168;
-        let t171 = 0.074_410_38 * t169;
-        let t172 = t116 + t171;
-        let t174 = 10.617_059 * t169;
-        work.t175 = t119 + t174;
-        let t177 = 55.60578 * t169;
-        work.t178 = t122 + t177;
-        let t179 = self.sin_q[t125];
-        let t181 = 1.082_098_7e-6 * t179;
-        let t182 = t118 + t181;
-        let t184 = 0.000_154_396_55 * t179;
-        work.t185 = t121 + t184;
-        let t187 = 0.000_808_636_4 * t179;
-        work.t188 = t124 + t187;
-        let t189 = t172 + t117;
-        work.t190 = t189 + t182;
+        let t166 = self.y[t125];
+        let t167 = t166 - t126;
+        let t168 = t167 * 0.159_154_94;
+        let t169 = t168 + 1.258_291_2e7;
+        let t170 = t169 - 1.258_291_2e7;
+        let t171 = t170 * 6.283_185_5;
+        let t172 = t167 - t171;
+        let t173 = t127 + t172;
+        let t175 = 0.074_410_38 * t173;
+        work.t176 = t116 + t175;
+        let t178 = 10.617_059 * t173;
+        work.t179 = t119 + t178;
+        let t181 = 55.60578 * t173;
+        work.t182 = t122 + t181;
+        work.t183 = self.sin_q[t125];
+        let t185 = 1.082_098_7e-6 * work.t183;
+        work.t186 = t118 + t185;
     }
 
     /// Part 4 of a step.
     fn part_4(&mut self, work: &mut Work) {
-        let t191 = work.t175 + work.t120;
-        let t192 = t191 + work.t185;
-        let t193 = work.t178 + work.t123;
-        let t194 = t193 + work.t188;
+        let t188 = 0.000_154_396_55 * work.t183;
+        let t189 = work.t121 + t188;
+        let t191 = 0.000_808_636_4 * work.t183;
+        let t192 = work.t124 + t191;
+        let t193 = work.t176 + work.t117;
+        let t194 = t193 + work.t186;
+        let t195 = work.t179 + work.t120;
+        let t196 = t195 + t189;
+        let t197 = work.t182 + work.t123;
+        let t198 = t197 + t192;
 
         // the next measurement, as far as it is known
-        let t196 = 0.001_997_532_8 * t192;
-        let t197 = 1.644_736_6e-5 * t194;
-        let t199 = -4.356_413_8e-5 * work.t065;
-        let t200 = work.t190 + t196;
-        let t201 = t200 + t197;
-        let t202 = t201 + t199;
-        self.ahead_y = t202;
+        let t200 = 0.001_997_532_8 * t196;
+        let t201 = 1.644_736_6e-5 * t198;
+        let t203 = -4.356_413_8e-5 * work.t065;
+        let t204 = t194 + t200;
+        let t205 = t204 + t201;
+        let t206 = t205 + t203;
+        self.ahead_y = t206;
 
         // the estimate; until the window is full, the start
-        let t203 = work.t190 + work.t082;
-        let t204 = 30 < work.t094;
-        work.t205 = if t204 { t203 } else { work.t082 };
-        work.t206 = if t204 { t192 } else { 0.0 };
-        work.t207 = if t204 { t194 } else { 0.0 };
-        let t208 = self.coasting;
-        let t209 = t208 == 0;
-        let t213 = if t209 { Status::Converged } else { Status::Coasting };
-        work.t214 = if t204 { t213 } else { Status::Converging };
+        let t207 = t194 + work.t082;
+        let t208 = 30 < work.t094;
+        work.t209 = if t208 { t207 } else { work.t082 };
+        work.t210 = if t208 { t196 } else { 0.0 };
+        work.t211 = if t208 { t198 } else { 0.0 };
+        let t212 = self.coasting;
+        let t213 = t212 == 0;
+        let t217 = if t213 { Status::Converged } else { Status::Coasting };
+        work.t218 = if t208 { t217 } else { Status::Converging };
     }
 }
 const _: f32 = SAMPLE_TIME;
