@@ -379,7 +379,7 @@ fn text_bytes(object: &Path) -> u64 {
     numbers.split_whitespace().next().and_then(|it| it.parse().ok()).expect("bytes of text")
 }
 
-/// Claim: a compiled file shows `init` and `step` and nothing else; every macro has the prefix; all
+/// Claim: a compiled file shows `init` and `step`, `init_at` where it is asked for, and nothing else; every macro has the prefix; all
 /// observers of the corpus link into one program, in C and in Rust, where two instances of each run
 /// by turns and give the bits that they give alone, which are the same in both languages.
 #[test]
@@ -388,7 +388,9 @@ fn line_03_prefix_and_instances() {
         let name = &object.subject.name;
         let shown: BTreeSet<String> =
             symbols(&object.path, &["-g"]).into_iter().filter(|(kind, _)| *kind != 'U').map(|it| it.1).collect();
-        assert_eq!(shown, BTreeSet::from([format!("{name}_init"), format!("{name}_step")]), "{}", object.label());
+        let mut expected = BTreeSet::from([format!("{name}_init"), format!("{name}_step")]);
+        expected.extend(object.subject.generated.program.init_at.iter().map(|_| format!("{name}_init_at")));
+        assert_eq!(shown, expected, "{}", object.label());
     }
     for compiler in c_compilers() {
         let macros = |text: &str, name: &str| -> BTreeSet<String> {
