@@ -1,7 +1,12 @@
 //! Claim: with `ahead`, the answer is the state so much later with the inputs of now, exactly to rounding, from the
 //! promised call on, for random linear plants and every shape of step; the printed bound holds.
 
-#![allow(clippy::cast_precision_loss, reason = "counts of calls and samples are small")]
+#![allow(
+    clippy::cast_precision_loss,
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "counts of calls and samples are small"
+)]
 
 #[path = "support/linear.rs"]
 mod linear;

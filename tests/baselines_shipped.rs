@@ -129,7 +129,7 @@ fn faded(samples: &[f64], order: usize, r: f64) -> Vec<f64> {
 #[test]
 fn lags_are_those_of_the_header() {
     let acceleration = 8.0;
-    let samples: Vec<f64> = (0..3_000).map(|k| 0.5 * acceleration * (k as f64 * H).powi(2)).collect();
+    let samples: Vec<f64> = (0..3_000).map(|k| 0.5 * acceleration * (f64::from(k) * H).powi(2)).collect();
     let lag = |method: &str, keys: &str| {
         let answers = through(&specification(method, keys), &samples);
         let (estimate, status) = &answers[2_999];

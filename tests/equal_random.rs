@@ -12,9 +12,9 @@ use deadbeat_codegen::program::builder::Builder;
 use deadbeat_codegen::program::{Field, Function, Kind, Program, Scalar, Status, Value};
 use random_program::{random_inputs, random_program};
 
-/// How many random Programs; twice as many with `DEADBEAT_DEEP=1`, as `.ci/run` says.
+/// How many random Programs; three times as many with `DEADBEAT_DEEP=1`, as `.ci/run` says.
 fn programs() -> u64 {
-    if std::env::var("DEADBEAT_DEEP").is_ok_and(|value| value == "1") { 300 } else { 150 }
+    if std::env::var("DEADBEAT_DEEP").is_ok_and(|value| value == "1") { 300 } else { 100 }
 }
 
 /// How many calls of each.

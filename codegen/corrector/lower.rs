@@ -11,7 +11,7 @@
 //! what the first convergence left. A prediction outside the output's range starts the observer again, and so does a
 //! state beyond the floats' guard.
 //!
-//! **Turns, gates, rates.** See [`turn`], [`gate`] and [`rates`].
+//! **Turns, gates, rates.** See `turn`, `gate` and `rates`.
 //!
 //! **Sliding.** Under the sliding law an innovation that is not explained
 //! makes both counts begin again, and one wider than the output's range starts the observer again.
