@@ -4,7 +4,7 @@
 //! their value. Nothing of the observer changes; the answer alone is moved.
 
 use crate::describe::short;
-use crate::design::{Certificate, Settled};
+use crate::design::{Certificate, Design, Settled, Shape};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::plant::Plant;
 use crate::program::builder::Builder;
@@ -125,33 +125,43 @@ impl Ahead {
         format!("the estimate is for {} s later, with inputs and nonlinear terms as they are now", short(self.seconds))
     }
 
-    /// What is promised of the moved answer: from above, by the magnitudes of `e^{A a}`.
-    pub fn certify(&self, plant: &Plant, certificate: &mut Certificate) {
-        let n = plant.states.len();
-        let size = |entry: &Option<Settled>| entry.map_or(0.0, |entry| entry.double.abs());
-        let magnitudes: Vec<Vec<f64>> = self.phi.iter().map(|row| row.iter().map(size).collect()).collect();
-        let carried = |gains: &mut Vec<Vec<f64>>| {
-            if gains.is_empty() {
-                return;
-            }
-            let columns = gains[0].len();
-            let sum = |i: usize, c: usize| -> f64 {
-                magnitudes[i].iter().zip(gains.iter()).filter(|(m, _)| **m > 0.0).map(|(m, row)| m * row[c]).sum()
-            };
-            *gains = (0..n).map(|i| (0..columns).map(|c| sum(i, c)).collect()).collect();
-        };
-        let bounded = self.bound(plant, &magnitudes, certificate);
-        carried(&mut certificate.noise_gain_l1);
-        carried(&mut certificate.noise_gain_l2);
-        carried(&mut certificate.disturbance_gain_l1);
-        carried(&mut certificate.initial_gain);
-        if !certificate.disturbance_gain_l1.is_empty() {
-            add(&mut certificate.disturbance_gain_l1, &Self::disturbed(plant));
+    /// What is promised of the moved answers of a design: from above, by the magnitudes of `e^{A a}`.
+    pub fn certify(&self, plant: &Plant, design: &mut Design) {
+        design.certificates().for_each(|certificate| self.moves(plant, certificate));
+        let Shape::Window(functional) = &mut design.shape else { return };
+        for phase in functional.irregular.iter_mut().flat_map(|irregular| &mut irregular.phases) {
+            self.carry(&mut phase.noise_gain_l1);
+            self.carry(&mut phase.noise_gain_l2);
         }
-        certificate.error_bound = match bounded {
-            Some(bounds) => bounds.into_iter().map(Some).collect(),
-            None => vec![None; n],
+    }
+
+    /// One window's.
+    fn moves(&self, plant: &Plant, certificate: &mut Certificate) {
+        let bounded = self.bound(plant, certificate);
+        self.carry(&mut certificate.noise_gain_l1);
+        self.carry(&mut certificate.noise_gain_l2);
+        self.carry(&mut certificate.disturbance_gain_l1);
+        self.carry(&mut certificate.initial_gain);
+        add(&mut certificate.disturbance_gain_l1, &Self::disturbed(plant));
+        match bounded {
+            Some(bounds) => certificate.error_bound = bounds.into_iter().map(Some).collect(),
+            None => certificate.error_bound.fill(None),
+        }
+    }
+
+    /// Magnitudes of `e^{A a}`, n x n.
+    fn magnitudes(&self) -> Vec<Vec<f64>> {
+        let size = |entry: &Option<Settled>| entry.map_or(0.0, |entry| entry.double.abs());
+        self.phi.iter().map(|row| row.iter().map(size).collect()).collect()
+    }
+
+    /// Gains, a row per state, as those of the moved states; none where there are none.
+    fn carry(&self, gains: &mut Vec<Vec<f64>>) {
+        let Some(columns) = gains.first().map(Vec::len) else { return };
+        let sum = |row: &Vec<f64>, c: usize| -> f64 {
+            row.iter().zip(gains.iter()).filter(|(m, _)| **m > 0.0).map(|(m, gains)| m * gains[c]).sum()
         };
+        *gains = self.magnitudes().iter().map(|row| (0..columns).map(|c| sum(row, c)).collect()).collect();
     }
 
     /// What disturbances do meanwhile, n x d.
@@ -183,11 +193,11 @@ impl Ahead {
     }
 
     /// The largest error, where there is one for the estimate of now.
-    fn bound(&self, plant: &Plant, magnitudes: &[Vec<f64>], certificate: &Certificate) -> Option<Vec<f64>> {
+    fn bound(&self, plant: &Plant, certificate: &Certificate) -> Option<Vec<f64>> {
         let now: Vec<f64> = certificate.error_bound.iter().copied().collect::<Option<_>>()?;
         let disturbed = Self::disturbed(plant);
         let mut bounds = Vec::new();
-        for (i, row) in magnitudes.iter().enumerate() {
+        for (i, row) in self.magnitudes().iter().enumerate() {
             let mut bound: f64 = row.iter().zip(&now).map(|(m, bound)| m * bound).sum();
             for (disturbance, gain) in plant.disturbances.iter().zip(&disturbed[i]) {
                 bound += gain * disturbance.bound.to_f64().ok()?;

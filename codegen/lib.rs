@@ -105,7 +105,7 @@ impl Generator {
         let mut design = spec.observer.keyed.design(&plant).map_err(report)?;
         let ahead = Ahead::new(&plant).map_err(report)?;
         if let Some(ahead) = &ahead {
-            design.certificates().for_each(|certificate| ahead.certify(&plant, certificate));
+            ahead.certify(&plant, &mut design);
             design.notes.push(ahead.note());
         }
         let program = design.lower(&plant, ahead.as_ref()).map_err(report)?;

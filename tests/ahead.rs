@@ -148,3 +148,33 @@ fn every_method_moves_its_answer_alone() {
 fn step(interpreter: &mut deadbeat_codegen::program::interp::Interpreter, y: &[f64], u: &[f64], x: &mut [f64]) {
     interpreter.step(y, u, x);
 }
+
+/// The worst case that bounded noise makes of the moved answers, by one unit at each sample in turn, is within what the
+/// certificate prints for each window, and no less than the hundredth part of it.
+#[test]
+fn the_printed_gains_are_of_the_moved_answers() {
+    let text = edited(&corpus("three_windows"), "[target]", "ahead = 0.004\n[target]");
+    let mut generated = designed(&text);
+    let n = generated.plant.states.len();
+    let gains: Vec<Vec<f64>> =
+        generated.design.certificates().map(|c| c.noise_gain_l1.iter().map(|gain| gain[0]).collect()).collect();
+    assert_eq!(gains.len(), 3);
+    // The longest window, full.
+    let calls = 1 + (gains.len() * 100).max(300);
+    let mut worst = vec![vec![0.0_f64; n]; gains.len()];
+    let mut answer = vec![0.0; generated.program.estimates.len()];
+    for unit in 0..calls {
+        let mut interpreter = deadbeat_codegen::program::interp::Interpreter::new(&generated.program);
+        for call in 0..calls {
+            interpreter.step(&[f64::from(u8::from(call == unit))], &[], &mut answer);
+        }
+        for (window, sums) in worst.iter_mut().enumerate() {
+            sums.iter_mut().zip(&answer[window * n..]).for_each(|(sum, x)| *sum += x.abs());
+        }
+    }
+    for (printed, worst) in gains.iter().flatten().zip(worst.iter().flatten()) {
+        // A sum of some hundred magnitudes, rounded.
+        assert!(*worst <= printed * (1.0 + 1e-12), "{worst} above {printed}");
+        assert!(*worst >= printed / 100.0, "{worst} is not near {printed}");
+    }
+}
