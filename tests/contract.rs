@@ -86,21 +86,15 @@ impl Object {
     }
 }
 
-/// Every subject by every compiler, unoptimised and optimised, with the stack that each function uses; one of both by
-/// each compiler unless all is asked for, see [`corpus::deep`].
+/// Every subject by every compiler, unoptimised and optimised, with the stack that each function uses.
 fn objects() -> &'static [Object] {
     static OBJECTS: OnceLock<Vec<Object>> = OnceLock::new();
     OBJECTS.get_or_init(|| {
         let folder = files();
         let mut jobs = Vec::new();
         for compiler in c_compilers() {
-            let levels: &[&'static str] = match (corpus::deep(), compiler) {
-                (true, _) => &["-O0", "-O2"],
-                (false, "gcc") => &["-O2"],
-                (false, _) => &["-O0"],
-            };
-            for level in levels {
-                jobs.extend(subjects().iter().map(|subject| (subject, compiler, *level)));
+            for level in ["-O0", "-O2"] {
+                jobs.extend(subjects().iter().map(|subject| (subject, compiler, level)));
             }
         }
         side_by_side(&jobs, |&(subject, compiler, level)| {
