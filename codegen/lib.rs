@@ -17,6 +17,8 @@ pub mod design;
 pub mod diagnostic;
 pub mod emit;
 pub mod expr;
+#[cfg(feature = "replay")]
+pub mod figure;
 mod front;
 mod given;
 pub mod implicit_euler;
@@ -28,6 +30,8 @@ pub mod plant;
 pub mod program;
 pub mod real;
 pub mod regression;
+#[cfg(feature = "replay")]
+pub mod replay;
 pub mod spec;
 pub mod window;
 

@@ -15,6 +15,8 @@ use std::fmt;
 use std::io::{BufRead, BufReader, Read};
 use std::ops::Range;
 
+use super::steps::TimeError;
+
 /// Bytes of the longest row that is accepted.
 const LONGEST_ROW: usize = 1 << 20;
 
@@ -40,7 +42,9 @@ pub struct RecordingError {
     pub line: Option<u64>,
     /// Name of the column.
     pub column: Option<String>,
+    /// What is wrong.
     pub message: String,
+    /// What to do about it.
     pub help: Option<String>,
 }
 
@@ -77,6 +81,11 @@ impl<R: Read> Recording<R> {
         recording.read_header()?;
         recording.selection = (0..recording.columns.len()).collect();
         Ok(recording)
+    }
+
+    /// The name under which it was opened.
+    pub fn name(&self) -> &str {
+        &self.name
     }
 
     /// The names in the header.
@@ -222,8 +231,18 @@ impl<R: Read> Recording<R> {
 
 /// The errors, one function each.
 impl<R> Recording<R> {
+    /// It has a header and nothing else.
+    pub(super) fn has_no_rows(&self) -> RecordingError {
+        self.error(None, None, "the recording has no rows".into(), None)
+    }
+
+    /// The time of the row that was read last does not fit a step.
+    pub(super) fn unfit(&self, error: &TimeError) -> RecordingError {
+        self.error(Some(self.row.line), None, error.message.clone(), error.help.clone())
+    }
+
     /// What is wrong with a selected cell of the row that was read last.
-    pub fn complaint(&self, column: &str, message: String, help: &str) -> RecordingError {
+    pub(super) fn complaint(&self, column: &str, message: String, help: &str) -> RecordingError {
         RecordingError {
             name: self.name.clone(),
             line: Some(self.row.line),
