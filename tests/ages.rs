@@ -16,8 +16,9 @@ mod plant;
 
 use std::cell::Cell;
 
+use deadbeat_codegen::diagnostic::codes;
 use deadbeat_codegen::program::{Scalar, Status};
-use deadbeat_codegen::{Generated, Generator, Settings, diagnostic::codes};
+use deadbeat_codegen::{Generated, Generator, Settings};
 use linear::{Linear, Shape};
 use nalgebra::{DMatrix, DVector};
 use plant::{Random, Run, UNIT, corpus, designed, designed_in, functional};

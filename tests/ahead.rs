@@ -13,8 +13,9 @@ mod linear;
 #[path = "support/plant.rs"]
 mod plant;
 
+use deadbeat_codegen::diagnostic::codes;
 use deadbeat_codegen::program::Scalar;
-use deadbeat_codegen::{Generator, Settings, diagnostic::codes};
+use deadbeat_codegen::{Generator, Settings};
 use linear::Linear;
 use nalgebra::{DMatrix, DVector};
 use plant::{Random, UNIT, corpus, designed, edited, rounding};

@@ -10,8 +10,9 @@ mod plant;
 
 use std::fmt::Write as _;
 
+use deadbeat_codegen::diagnostic::codes;
 use deadbeat_codegen::program::Scalar;
-use deadbeat_codegen::{Generator, Settings, diagnostic::codes};
+use deadbeat_codegen::{Generator, Settings};
 use linear::Linear;
 use plant::{Random, UNIT, functional, rounding};
 

@@ -17,9 +17,10 @@ mod plant;
 use std::cell::Cell;
 
 use deadbeat_codegen::design::Convergence;
+use deadbeat_codegen::diagnostic::codes;
 use deadbeat_codegen::program::{Scalar, Status};
 use deadbeat_codegen::window::irregular::Irregular;
-use deadbeat_codegen::{Generated, Generator, Settings, diagnostic::codes};
+use deadbeat_codegen::{Generated, Generator, Settings};
 use linear::{Linear, Shape};
 use plant::{Random, Run, UNIT, corpus, designed, functional};
 use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestRng, TestRunner};

@@ -19,10 +19,11 @@ mod truths;
 
 use std::cell::Cell;
 
+use deadbeat_codegen::diagnostic::codes;
 use deadbeat_codegen::program::interp::Interpreter;
 use deadbeat_codegen::program::{Scalar, Status};
 use deadbeat_codegen::window::irregular::Irregular;
-use deadbeat_codegen::{Generated, Generator, Settings, diagnostic::codes};
+use deadbeat_codegen::{Generated, Generator, Settings};
 use linear::{Linear, Shape};
 use plant::{Random, Run, UNIT, corpus, delays, designed, functional};
 use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestRng, TestRunner};

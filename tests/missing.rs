@@ -21,8 +21,8 @@ use deadbeat_codegen::program::interp::Interpreter;
 use deadbeat_codegen::program::{Scalar, Status};
 use plant::{
     Answers, Hold, Random, Run, Truth, UNIT, at_sample_time, corpus, delays, designed, designed_in, edited, functional,
+    integration_rounding, matrix, rounding,
 };
-use plant::{integration_rounding, matrix, rounding};
 use truths::{corrects, inverted_cart, is_baseline, late_position, names, names_of, truth};
 
 use Status::{Coasting, Converged, Converging};

@@ -14,11 +14,12 @@ mod plant;
 #[path = "support/truths.rs"]
 mod truths;
 
+use deadbeat_codegen::diagnostic::codes;
 use deadbeat_codegen::parameters::paper::{Exosystem, Times, constants};
 use deadbeat_codegen::program::interp::Interpreter;
 use deadbeat_codegen::program::{Scalar, Status};
 use deadbeat_codegen::real::{Precision, Real};
-use deadbeat_codegen::{Generated, Generator, diagnostic::codes};
+use deadbeat_codegen::{Generated, Generator};
 use plant::{Hold, NOTHING_YET, Random, Run, Truth, corpus, designed, designed_in, edited, matrix};
 use serde_json::Value;
 use truths::truth;

@@ -17,8 +17,9 @@ mod plant;
 use std::cell::Cell;
 use std::fmt::Write as _;
 
+use deadbeat_codegen::diagnostic::codes;
 use deadbeat_codegen::program::{Scalar, Status};
-use deadbeat_codegen::{Generated, Generator, Settings, diagnostic::codes};
+use deadbeat_codegen::{Generated, Generator, Settings};
 use nalgebra::{DMatrix, DVector};
 use plant::{NOTHING_YET, Random, Run, UNIT, advance, exponential, rounding};
 use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestRng, TestRunner};

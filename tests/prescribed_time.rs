@@ -18,10 +18,11 @@ mod plant;
 use std::cell::Cell;
 
 use deadbeat_codegen::corrector::holloway_krstic::{hbar, hbar_by_recursion, pbar, pbar_by_recursion, qbar};
+use deadbeat_codegen::diagnostic::codes;
 use deadbeat_codegen::program::interp::Interpreter;
 use deadbeat_codegen::program::{Scalar, Status};
 use deadbeat_codegen::real::{Precision, Rational, Real};
-use deadbeat_codegen::{Generated, Generator, Settings, diagnostic::codes};
+use deadbeat_codegen::{Generated, Generator, Settings};
 use linear::{Linear, exponential};
 use nalgebra::{DMatrix, DVector};
 use plant::{Random, UNIT, designed, matrix};

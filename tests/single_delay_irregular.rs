@@ -17,8 +17,9 @@ mod plant;
 mod truths;
 
 use deadbeat_codegen::design::{CONTRACTED, Convergence};
+use deadbeat_codegen::diagnostic::codes;
 use deadbeat_codegen::program::Status;
-use deadbeat_codegen::{Generated, Generator, diagnostic::codes};
+use deadbeat_codegen::{Generated, Generator};
 use linear::Linear;
 use plant::{Random, Run, at_sample_time, designed, functional};
 use truths::truth;

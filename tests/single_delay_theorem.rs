@@ -17,8 +17,9 @@ mod plant;
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
 
+use deadbeat_codegen::diagnostic::codes;
 use deadbeat_codegen::program::{Scalar, Status};
-use deadbeat_codegen::{Generated, Generator, Settings, diagnostic::codes};
+use deadbeat_codegen::{Generated, Generator, Settings};
 use linear::{Linear, Shape};
 use nalgebra::DMatrix;
 use plant::{Random, rounding};

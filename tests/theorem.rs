@@ -17,8 +17,9 @@ mod plant;
 
 use std::cell::Cell;
 
+use deadbeat_codegen::diagnostic::codes;
 use deadbeat_codegen::program::{Scalar, Status};
-use deadbeat_codegen::{Generated, Generator, Settings, diagnostic::codes};
+use deadbeat_codegen::{Generated, Generator, Settings};
 use linear::Linear;
 use plant::{Answers, Run, UNIT, matrix, rounding};
 use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestRng, TestRunner};

@@ -11,9 +11,8 @@
 )]
 
 use deadbeat_codegen::design::Shape;
-use deadbeat_codegen::program::Scalar;
-use deadbeat_codegen::program::Status;
 use deadbeat_codegen::program::interp::Interpreter;
+use deadbeat_codegen::program::{Scalar, Status};
 use deadbeat_codegen::window::{Functional, Source};
 use deadbeat_codegen::{Generated, Generator, Settings};
 use nalgebra::DMatrix;
