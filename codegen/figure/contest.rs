@@ -1,6 +1,6 @@
 //! The figure of a contest: per quantity all estimates with the reference, and their errors below.
 
-use crate::describe::short;
+use crate::numbers::short;
 use crate::replay::compare::{Contest, Quantity};
 
 use super::svg::{Cell, Column, Curve, Entry, Figure, Panel, Role};

@@ -3,11 +3,10 @@
 use std::io::Read;
 
 use crate::Generated;
-use crate::describe::short;
+use crate::numbers::{seconds, short};
 use crate::plant::Plant;
 use crate::real::Rational;
 use crate::replay::{Answer, Compared, Interface, MeasuredKind, Replay, Step, Verdict, fold, number};
-use crate::window::seconds;
 
 use super::svg::{Cell, Column, Curve, Figure, Marker, Panel, Role};
 use super::thin::Thin;

@@ -1,6 +1,6 @@
 //! What a replay came to.
 
-use crate::describe::short;
+use crate::numbers::short;
 
 use super::interface::Answer;
 

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use crate::describe::short;
+use crate::numbers::short;
 
 use super::contest::{Contest, Quantity, Rival};
 use super::score::Score;
