@@ -1,5 +1,6 @@
-//! Pictures of replays: knows curves, colours and SVG; never a recording's text, a disk, a terminal, arguments or exit
-//! codes.
+//! Pictures of replays.
+//!
+//! Knows replays, curves, colours and SVG. Never knows a recording's text, a disk, a terminal, arguments or exit codes.
 //!
 //! [`Curves`] draws one replay while it runs, [`of_contest`] several steps beside each other; both give a [`Figure`],
 //! whose `to_string` is the SVG. A figure of anything else is made of [`Panel`]s and [`Curve`]s in the same way. Memory

@@ -1,5 +1,6 @@
-//! Recordings through a step: knows rows, a Program's fields and what estimates are worth; never a disk, a terminal,
-//! arguments or exit codes.
+//! Recordings through a step.
+//!
+//! Knows rows, a Program's fields and what estimates are worth. Never knows a disk, a terminal, arguments or exit codes.
 //!
 //! In go a design and the bytes of a recording, CSV with a header; out come the estimates row by row, as numbers, and a
 //! [`Verdict`]. The step runs in the interpreter, which gives the bits of the generated Rust and C. Memory does not grow
