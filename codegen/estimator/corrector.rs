@@ -1,5 +1,7 @@
 //! The shape "predict and correct": a state carried from call to call, corrected by each sample.
 //!
+//! Knows the plant at its samples and a law of gains. Never knows which method asks for the law, nor another estimator.
+//!
 //! `z- = Phi z + what is known, e = y - C z-, z = z- + K e`.
 //!
 //! Methods differ in K alone. A gain law is
