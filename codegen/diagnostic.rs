@@ -203,12 +203,12 @@ impl Report {
     }
 
     /// The report for machines: one object per diagnostic, in an array.
-    #[cfg(feature = "cli")]
+    #[cfg(feature = "json")]
     pub fn to_json(&self) -> serde_json::Value {
         self.diagnostics.iter().map(|d| self.one_to_json(d)).collect()
     }
 
-    #[cfg(feature = "cli")]
+    #[cfg(feature = "json")]
     fn one_to_json(&self, diagnostic: &Diagnostic) -> serde_json::Value {
         let (line, column) = self.source.position(diagnostic.labels[0].span.start);
         let patch = diagnostic

@@ -34,6 +34,10 @@ pub mod internals {
 }
 
 mod build;
+#[cfg(feature = "replay")]
+pub mod figure;
+#[cfg(feature = "replay")]
+pub mod replay;
 
 use internals::{
     decimal, dense, emit, estimator, expr, generated, method, names, numbers, output, plant, real, sampled, spec, step,

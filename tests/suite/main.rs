@@ -75,4 +75,5 @@ mod tool {
     mod doors;
     mod readme;
     mod replay;
+    mod replay_library;
 }
