@@ -29,6 +29,7 @@ pub mod errors;
 pub mod exact;
 pub mod guard;
 pub mod holloway_krstic;
+pub mod interval;
 pub mod law;
 pub mod lower;
 pub mod noise;
@@ -51,16 +52,18 @@ pub type Grid = Vec<Vec<Option<Settled>>>;
 /// Why no corrector can do something that a specification asks for.
 pub fn cannot(feature: Feature, plant: &Plant) -> Option<Cannot> {
     let (why, instead) = match feature {
-        Feature::Wrap | Feature::Gate | Feature::Ahead | Feature::Coasted | Feature::InitAt => return None,
-        Feature::Every => (
-            "one gain for samples at several rates is not proven stable",
-            "use `kalman` or `window`, which take several rates",
-        ),
+        Feature::Wrap | Feature::Gate | Feature::Every | Feature::Ahead | Feature::Coasted | Feature::InitAt => {
+            return None;
+        }
         Feature::Age => ("its gains are of samples taken at the calls", "use `window`, which takes samples of any age"),
         Feature::Counter => return cannot_count(plant),
     };
     Some(Cannot { why, instead })
 }
+
+/// The nearest way out for a method that needs a sample at every call.
+pub const ONE_RATE: &str =
+    "a `sample_time` from sample to sample, or `luenberger`, `kalman` or `window`, which take `every`";
 
 /// What the gain does when the countdown has come to its end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

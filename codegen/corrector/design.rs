@@ -82,7 +82,7 @@ pub fn build(request: &Request) -> Result<Built, Vec<Diagnostic>> {
         Promise::Contracted => contracted(plant, &request.signals, &exact, counting)?,
     };
     corrector.valid = valid;
-    let schedule = Schedule::new(&exact, counting, valid);
+    let schedule = Schedule::new(plant, &exact, counting, valid);
     let errors = Errors::new(plant, &request.signals, &exact, &schedule).ok_or_else(|| unobservable(plant))?;
     let remaining = errors.remaining(valid);
     let certificate = errors.certify(valid, &remaining);
@@ -100,7 +100,7 @@ const ROUNDS: usize = 8;
 /// The call at which a constant gain has made the initial error small enough: in the size that is taken over as many
 /// calls, so that it is found by rounds, and then from above.
 fn contracted(plant: &Plant, signals: &[Signal], exact: &Exact, counting: Counting) -> Result<usize, Vec<Diagnostic>> {
-    let over = |calls: usize| Schedule::new(exact, counting, calls);
+    let over = |calls: usize| Schedule::new(plant, exact, counting, calls);
     let most = MOST_CALLS.min(MOST_WORK / plant.states.len().pow(3).max(1));
     let mut valid = 0;
     for round in 0..=ROUNDS {
@@ -108,11 +108,14 @@ fn contracted(plant: &Plant, signals: &[Signal], exact: &Exact, counting: Counti
         let errors = Errors::new(plant, signals, exact, &schedule).ok_or_else(|| unobservable(plant))?;
         let radius = errors.radius();
         if radius >= 1.0 {
-            let label = format!("a call leaves {} of it in the long run", crate::describe::short(radius));
+            let label = format!("{} {} of it in the long run", leaves(&schedule), crate::describe::short(radius));
             return Err(vec![grows(plant, "the estimation error does not die out", radius).label(label)]);
         }
         let Some(found) = errors.reaches(CONTRACTED, most) else {
-            let label = format!("more than {most} calls; one leaves {radius} of it in the long run");
+            let label = match schedule.cycle.len() {
+                1 => format!("more than {most} calls; one leaves {radius} of it in the long run"),
+                calls => format!("more than {most} calls; {calls} leave {radius} of it in the long run"),
+            };
             let message = "the estimation error dies out too slowly to be certified";
             return Err(vec![grows(plant, message, radius).label(label)]);
         };
@@ -127,6 +130,14 @@ fn contracted(plant: &Plant, signals: &[Signal], exact: &Exact, counting: Counti
         valid += 1 + valid / 100;
     }
     Ok(valid)
+}
+
+/// What makes the map whose radius is shown.
+fn leaves(schedule: &Schedule) -> String {
+    match schedule.cycle.len() {
+        1 => "a call leaves".to_owned(),
+        calls => format!("{calls} calls leave"),
+    }
 }
 
 fn grows(plant: &Plant, message: &str, radius: f64) -> Diagnostic {

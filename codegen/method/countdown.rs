@@ -8,7 +8,8 @@ pub mod numbers;
 
 use std::ops::Range;
 
-use crate::corrector::{After, Counting, law, theorem1};
+use super::{Cannot, Feature};
+use crate::corrector::{self, After, Counting, ONE_RATE, law, theorem1};
 use crate::decimal::show;
 use crate::diagnostic::{Diagnostic, codes};
 use crate::expr::{Constant, List};
@@ -46,6 +47,17 @@ pub fn start(plant: &mut Plant, initial: Option<&(Vec<Quantity>, Range<usize>)>)
     let states = plant.states.iter_mut().filter(|state| state.measured.is_empty());
     states.zip(values.into_iter().flatten()).for_each(|(state, value)| state.initial = value);
     Ok(())
+}
+
+/// Why a method with a countdown cannot do something that a specification asks for.
+pub fn cannot(feature: Feature, plant: &Plant) -> Option<Cannot> {
+    match feature {
+        Feature::Every => Some(Cannot {
+            why: "a lost sample holds its countdown for one call, and so out of step with the calls at which samples are due",
+            instead: ONE_RATE,
+        }),
+        _ => corrector::cannot(feature, plant),
+    }
 }
 
 /// The most states of a countdown: the gains' powers and their exact exponents grow with them.

@@ -22,7 +22,7 @@ use super::{Cannot, Feature, Keyed, Method};
 use crate::corrector::design::{Built, Promise, Request, build, no_chain};
 use crate::corrector::exact::Law;
 use crate::corrector::sliding::{Backward, ExactSliding, ORDERS, Sliding};
-use crate::corrector::{Counting, Frame, Gain};
+use crate::corrector::{Counting, Frame, Gain, ONE_RATE};
 use crate::describe::short;
 use crate::design::{Certificate, Convergence, Design, NamedMatrix, Settled, Shape};
 use crate::diagnostic::{Diagnostic, codes};
@@ -92,7 +92,13 @@ impl Keyed for Keys {
     }
 
     fn cannot(&self, feature: Feature, plant: &Plant) -> Option<Cannot> {
-        crate::corrector::cannot(feature, plant)
+        match feature {
+            Feature::Every => Some(Cannot {
+                why: "what n small innovations in a row prove of its error is proven for an innovation at every call",
+                instead: ONE_RATE,
+            }),
+            _ => crate::corrector::cannot(feature, plant),
+        }
     }
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {
@@ -211,7 +217,7 @@ impl Keys {
             format!("up to {} off its prediction, a sample of {name} is taken as it is", short(law.reach.double)),
             format!("{} steps of Newton's method a call, enough for every innovation", law.iterations(plant.scalar)),
         ];
-        notes.extend(self.order.late());
+        notes.extend(self.order.late("samples"));
         notes
     }
 }
