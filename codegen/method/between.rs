@@ -3,14 +3,14 @@
 use std::ops::Range;
 
 use super::window::VERDICT_BITS;
-use crate::corrector::interval;
 use crate::decimal::show;
 use crate::diagnostic::{Diagnostic, codes};
+use crate::estimator::corrector::interval;
 use crate::expr::Symbol;
+use crate::numbers::count;
 use crate::plant::{Output, Plant};
 use crate::real::{Precision, equilibrated_columns, rank, singular_values};
-use crate::window::count;
-use crate::window::model::Model;
+use crate::sampled::model::Model;
 
 /// The most calls from one sample to the next of a gain that stays.
 const MOST_CALLS: usize = 1_000;
@@ -94,11 +94,11 @@ pub(super) fn said(plant: &Plant, summary: String) -> String {
 /// How late a rate is at constant acceleration, with the rule that says so for samples `h` apart; it stays until the next
 /// sample, m h behind one.
 pub(super) fn late(plant: &Plant, seconds: f64, rule: &str) -> String {
-    let at = format!("at constant acceleration the rate is {} s late", crate::describe::short(seconds));
+    let at = format!("at constant acceleration the rate is {} s late", crate::numbers::short(seconds));
     if interval::calls(plant) == 1 {
         return format!("{at}: {rule}");
     }
     let more = interval::seconds(plant) - plant.sample_time_s();
-    let latest = crate::describe::short(seconds + more);
+    let latest = crate::numbers::short(seconds + more);
     format!("{at} at a sample, {latest} s before the next: {rule} with h = {} s", apart(plant))
 }

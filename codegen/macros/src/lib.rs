@@ -5,9 +5,8 @@
 use std::path::Path;
 use std::str::FromStr as _;
 
-use deadbeat_codegen::describe;
 use deadbeat_codegen::emit::{self, Door};
-use deadbeat_codegen::{Generator, Settings};
+use deadbeat_codegen::{Generator, Settings, describe};
 use proc_macro::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 use syn::parse::{ParseStream, Parser as _};
 
