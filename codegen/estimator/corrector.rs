@@ -188,7 +188,7 @@ pub struct Corrector {
     pub handover: Option<Grid>,
     /// The countdown.
     pub counting: Counting,
-    /// Good calls after the first until the estimate counts as converged.
+    /// Good calls after the first until the estimate counts as converged; of one output, its samples.
     pub valid: usize,
     /// Good calls in a row after a missing sample until it does again; at least 1.
     pub recovery: usize,

@@ -38,6 +38,28 @@ pub(super) fn refuse_nonlinear(plant: &Plant, found: &mut Vec<Diagnostic>) {
     }
 }
 
+/// As many samples as a number of calls has, which must end with one; mistakes are collected.
+pub(super) fn samples(
+    plant: &Plant,
+    calls: usize,
+    span: &Range<usize>,
+    what: &str,
+    found: &mut Vec<Diagnostic>,
+) -> Option<usize> {
+    let every = interval::calls(plant);
+    if calls % every == 0 {
+        return Some(calls / every);
+    }
+    let (output, below) = (&plant.outputs[0], calls - calls % every);
+    let message = format!("{what} is not that of a sample");
+    let error = Diagnostic::error(codes::NOT_WHOLE, span.clone(), message).measured(count(calls));
+    let error = error.label(format!("{calls} calls"));
+    let error = error.context(output.every_span.clone(), format!("measured at every {every} calls"));
+    let [below, above] = [below, below + every].map(|calls| show(count(calls) * plant.sample_time_s()));
+    found.push(error.help(format!("{below} s or {above} s")));
+    None
+}
+
 /// A certificate is of every call between two samples.
 pub(super) fn refuse_rare(plant: &Plant, found: &mut Vec<Diagnostic>) {
     let calls = interval::calls(plant);
@@ -81,6 +103,14 @@ fn in_step(plant: &Plant, output: &Output, seen: usize) -> Diagnostic {
 /// m h, s, as a person writes it.
 pub(super) fn apart(plant: &Plant) -> String {
     show(interval::seconds(plant))
+}
+
+/// So many samples, in words.
+pub(super) fn counted(plant: &Plant, samples: usize) -> String {
+    match interval::calls(plant) {
+        1 => format!("{samples} calls at {} s", plant.sample_time_s()),
+        _ => format!("{samples} samples, {} s apart", apart(plant)),
+    }
 }
 
 /// The summary of a method, with when it corrects.

@@ -9,7 +9,7 @@ use crate::diagnostic::Diagnostic;
 use crate::estimator::Design;
 use crate::estimator::corrector::design::{Built, Promise, Request, build};
 use crate::estimator::corrector::exact::{Exact, Law};
-use crate::estimator::corrector::{Counting, Gain};
+use crate::estimator::corrector::{Counting, Gain, interval};
 use crate::plant::Plant;
 use crate::promise::NamedMatrix;
 use crate::real::Precision;
@@ -80,6 +80,7 @@ pub(super) fn design(plant: &Plant, asked: Asked) -> Result<Design, Vec<Diagnost
         let rows = gains.iter().flatten().map(|row| row.iter().map(|entry| entry.double).collect());
         matrices.push(NamedMatrix { letter: "K", rows: rows.collect() });
     }
+    let valid = interval::calls(plant) * corrector.valid;
     let mut warnings = asked.warnings;
     warnings.extend(time_warning(plant));
     warnings.extend(resolution_warnings(plant));
@@ -87,8 +88,8 @@ pub(super) fn design(plant: &Plant, asked: Asked) -> Result<Design, Vec<Diagnost
         method: asked.method,
         realization: "recursive",
         summary: if one { between::said(plant, asked.summary) } else { asked.summary },
-        window_steps: corrector.valid,
-        valid_from_step: corrector.valid,
+        window_steps: valid,
+        valid_from_step: valid,
         convergence,
         realizations: Vec::new(),
         notes,

@@ -2,6 +2,7 @@
 
 use super::errors::{Errors, Remaining};
 use super::exact::{Exact, Law};
+use super::interval;
 use super::schedule::Schedule;
 use super::settle::settle;
 use super::{Corrector, Counting};
@@ -16,7 +17,7 @@ use crate::sampled::settle::Numerics;
 /// When the estimate counts as converged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Promise {
-    /// At this call from the first sample on.
+    /// At this call from the first sample on; with one output, a call of a sample.
     At(usize),
     /// When [`CONTRACTED`] of the initial error is left.
     Contracted,
@@ -82,7 +83,7 @@ pub fn build(request: &Request) -> Result<Built, Vec<Diagnostic>> {
         Promise::At(call) => call,
         Promise::Contracted => contracted(plant, &request.signals, &exact, counting)?,
     };
-    corrector.valid = valid;
+    corrector.valid = valid / interval::calls(plant);
     let schedule = Schedule::new(plant, &exact, counting, valid);
     let errors = Errors::new(plant, &request.signals, &exact, &schedule).ok_or_else(|| unobservable(plant))?;
     let remaining = errors.remaining(valid);
@@ -130,7 +131,7 @@ fn contracted(plant: &Plant, signals: &[Signal], exact: &Exact, counting: Counti
     while Errors::new(plant, signals, exact, &over(valid)).is_some_and(|e| e.remaining(valid).share > CONTRACTED) {
         valid += 1 + valid / 100;
     }
-    Ok(valid)
+    Ok(valid.next_multiple_of(interval::calls(plant)))
 }
 
 /// What makes the map whose radius is shown.

@@ -5,6 +5,7 @@
 //! m h: a gain that is designed with `Phi^m` for Phi and `m h` for h has from sample to sample the eigenvalues that were
 //! asked for, whatever m, if (C, `Phi^m`) is observable. Where every call is a sample, m = 1 and nothing changes.
 
+use super::riccati::Noise;
 use crate::expr::poly::DomainError;
 use crate::numbers::count;
 use crate::plant::Plant;
@@ -21,6 +22,15 @@ pub fn transition(plant: &Plant, phi: &Matrix) -> Matrix {
         1 => phi.clone(),
         calls => phi.powi(u64::try_from(calls).unwrap_or(u64::MAX)),
     }
+}
+
+/// What acts from one sample to the next: `Q_m`, the sum of `Phi^j Q Phi'^j` for j below m, and R.
+pub fn noise(plant: &Plant, phi: &Matrix, noise: Noise) -> Noise {
+    let mut process = noise.process.clone();
+    for _ in 1..calls(plant) {
+        process = &(&(phi * &process) * &phi.transpose()) + &noise.process;
+    }
+    Noise { process, ..noise }
 }
 
 /// `m h`, s, at one precision.

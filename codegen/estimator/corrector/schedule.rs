@@ -1,7 +1,7 @@
 //! The gain of every call, in doubles: for what is promised, not for what is computed.
 
 use super::exact::{Exact, Law};
-use super::periodic::cycle;
+use super::interval;
 use super::{After, Counting};
 use crate::dense::Rows as Dense;
 use crate::plant::Plant;
@@ -18,28 +18,33 @@ pub struct Schedule {
 impl Schedule {
     /// Of a design for its plant; `valid` is the call that is promised where the gain is constant.
     pub fn new(plant: &Plant, exact: &Exact, counting: Counting, valid: usize) -> Self {
-        let every: Vec<usize> = plant.outputs.iter().map(|output| output.every).collect();
-        Self::at_every_call(exact, counting, valid).due(&every)
-    }
-
-    /// The same with the columns of outputs that are not due at zero: the first sample, call 0, is of all.
-    fn due(mut self, every: &[usize]) -> Self {
-        let lengths = [every, &[self.cycle.len()]].concat();
-        // Methods bound the calls until all outputs are due.
-        let calls = cycle(&lengths, usize::MAX).unwrap_or_else(|| unreachable!("a cycle that is designed"));
-        let round = self.cycle.len();
-        self.cycle = (0..calls).map(|k| self.cycle[k % round].clone()).collect();
-        for (call, gain) in (1..).zip(self.lead.iter_mut().chain(&mut self.cycle)) {
-            for row in gain {
-                let waits = row.iter_mut().zip(every).filter(|(_, every)| call % **every != 0);
-                waits.for_each(|(entry, _)| *entry = 0.0);
-            }
+        let calls = interval::calls(plant);
+        match &exact.law {
+            // The columns of what is not due are zero already.
+            Law::Periodic(_) => Self::at_every_sample(exact, counting, valid),
+            _ => Self::at_every_sample(exact, counting, valid.div_ceil(calls)).between(calls, valid),
         }
-        self
     }
 
-    /// With a sample of every output at every call.
-    fn at_every_call(exact: &Exact, counting: Counting, valid: usize) -> Self {
+    /// Of samples that are due at every so many calls: nothing is corrected between them.
+    pub fn between(self, calls: usize, valid: usize) -> Self {
+        if calls == 1 {
+            return self;
+        }
+        let of = |call: usize| {
+            let sample = (call / calls).max(1);
+            let gain = match self.lead.get(sample - 1) {
+                Some(gain) => gain,
+                None => &self.cycle[(sample - 1 - self.lead.len()) % self.cycle.len()],
+            };
+            if call % calls == 0 { gain.clone() } else { gain.iter().map(|row| vec![0.0; row.len()]).collect() }
+        };
+        let cycle = (valid + 1..=valid + calls * self.cycle.len()).map(of).collect();
+        Self { lead: (1..=valid).map(of).collect(), cycle }
+    }
+
+    /// Of samples at every call.
+    fn at_every_sample(exact: &Exact, counting: Counting, valid: usize) -> Self {
         let of = |left: usize| exact.law.gain(exact, counting, left);
         if let Law::Periodic(gains) = &exact.law {
             // The first sample is the cycle's first call.
