@@ -202,7 +202,7 @@ mod tests {
     /// window), and the search comes close to it with a reset that costs less than two digits.
     #[test]
     fn the_gain_is_near_the_smallest_there_is() {
-        let (_, design) = designed(include_str!("../../specs/pendulum_impulsive.toml")).unwrap();
+        let (_, design) = designed(include_str!("../../../specs/pendulum_impulsive.toml")).unwrap();
         let gain = design.certificate.noise_gain_l1[1][0];
         assert!((40.0..43.0).contains(&gain), "{gain}");
         let x = &design.constants.iter().find(|matrix| matrix.letter == "X").unwrap().rows;

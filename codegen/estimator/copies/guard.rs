@@ -191,7 +191,6 @@ fn largest_over(period: usize, copy: &Rows, entering: &Rows, start: &[f64]) -> V
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::estimator::Shape;
     use crate::method::designed;
 
     /// A period of samples at the bound stays where the bounds say, on a plant that grows by 1e3 over a period, in
@@ -202,9 +201,9 @@ mod tests {
                     x = { value = 'x' }\n[observer.impulsive]\nwindow = 1\n[target]\nsample_time = 0.05\nscalar = 'f32'\n";
         for text in [text.to_owned(), text.replace("f32", "f64")] {
             let (plant, design) = designed(&text).unwrap();
-            let Shape::Impulsive(shape) = &design.shape else { unreachable!("the method's shape") };
+            let shape = design.estimator.downcast_ref::<Impulsive>().unwrap();
             let bounds = Bounds::new(&plant, shape).unwrap();
-            let program = design.lower(&plant, None).unwrap();
+            let program = design.estimator.lower(&plant, None).unwrap();
             let mut interpreter = crate::program::interp::Interpreter::new(&program);
             let bound = bounds.guard.bound;
             let mut estimate = [0.0; 2];

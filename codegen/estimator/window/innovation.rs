@@ -154,7 +154,7 @@ mod tests {
     use crate::real::Precision;
     use crate::sampled::model::signals;
 
-    const MOTOR: &str = include_str!("../../specs/dc_motor.toml");
+    const MOTOR: &str = include_str!("../../../specs/dc_motor.toml");
 
     /// What the weights leave of the state before the window, against their size.
     fn bias(weights: &[Matrix], model: &Model) -> f64 {

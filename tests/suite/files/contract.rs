@@ -11,12 +11,12 @@ use std::sync::OnceLock;
 
 use compile::c_compilers;
 use corpus::{ODD, Random, Subject, empty_folder, put, root, runs, side_by_side, subjects, succeed};
-use deadbeat_codegen::describe::CONTRACT;
-use deadbeat_codegen::design::{Convergence, Shape};
+use deadbeat_codegen::internals::estimator::window::{Functional, Way};
+use deadbeat_codegen::internals::output::header::CONTRACT;
 use deadbeat_codegen::program::cost::{Cost, cost};
 use deadbeat_codegen::program::interp::Interpreter;
 use deadbeat_codegen::program::{Program, Scalar, Status};
-use deadbeat_codegen::window::Way;
+use deadbeat_codegen::promise::Convergence;
 
 /// Every warning that GENERATED.md names, as an error.
 const STRICT_C: [&str; 11] = [
@@ -521,8 +521,8 @@ fn float_literals(code: &str) -> Vec<&str> {
 fn line_05_literals_read_back() {
     for subject in subjects() {
         let program = &subject.generated.program;
-        let weighted = |shape: &Shape| matches!(shape, Shape::Window(it) if !matches!(it.way, Way::Recursive(_)));
-        let weighted = weighted(&subject.generated.design.shape);
+        let functional = subject.generated.design.estimator.downcast_ref::<Functional>();
+        let weighted = functional.is_some_and(|it| !matches!(it.way, Way::Recursive(_)));
         // A short window is written out: its weights stand in the step.
         let short = subject.generated.design.window_steps < 8;
         assert!(!weighted || short || !program.tables.is_empty(), "{}: a window has its weights", subject.name);

@@ -15,7 +15,9 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use corpus::{empty_folder, put, root, side_by_side, succeed};
-use deadbeat_codegen::design::{Convergence, Shape};
+use deadbeat_codegen::internals::estimator::corrector::Corrector;
+use deadbeat_codegen::internals::estimator::window::Functional;
+use deadbeat_codegen::promise::Convergence;
 use deadbeat_codegen::{Generated, Generator, Output};
 
 /// A plant with two states and one input, by its name; feedback that keeps it within about 1.
@@ -122,11 +124,11 @@ impl Subject {
 
     /// Per state, for a sample or input of magnitude 1: the step's round-off, and what rounding the samples does.
     fn bounds(&self) -> Vec<f64> {
-        if let Shape::Corrector(_) = &self.generated.design.shape {
+        if self.generated.design.estimator.downcast_ref::<Corrector>().is_some() {
             let bounds = &self.generated.design.certificate.error_bound;
             return bounds.iter().map(|bound| bound.expect("the noise is declared")).collect();
         }
-        let Shape::Window(functional) = &self.generated.design.shape else { panic!("another shape") };
+        let functional = self.generated.design.estimator.downcast_ref::<Functional>().expect("a window");
         let load = functional.way.load().cloned().unwrap_or_else(|| functional.load(&self.generated.plant));
         let rounded = f64::from(f32::EPSILON) / 2.0;
         let noise = &self.generated.design.certificate.noise_gain_l1;

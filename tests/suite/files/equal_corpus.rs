@@ -9,7 +9,9 @@ use std::collections::BTreeSet;
 
 use compile::{Answer, Case, Sample, Workshop};
 use corpus::{ODD, Random, Span, Subject, side_by_side, subjects};
-use deadbeat_codegen::design::{Convergence, Shape};
+use deadbeat_codegen::internals::estimator::corrector::Corrector;
+use deadbeat_codegen::internals::estimator::window::Functional;
+use deadbeat_codegen::promise::Convergence;
 
 /// A smooth signal with some noise, in samples of the subject's window.
 #[expect(clippy::cast_precision_loss, reason = "step counts are small")]
@@ -45,10 +47,8 @@ fn case(subject: &Subject) -> Case {
     let (measured, applied) = (subject.measured(), subject.applied());
     let mut samples = Vec::new();
     // After the last fault, as long as its status takes.
-    let recovery = match &subject.generated.design.shape {
-        Shape::Corrector(corrector) => corrector.recovery,
-        _ => 0,
-    };
+    let recovery =
+        subject.generated.design.estimator.downcast_ref::<Corrector>().map_or(0, |corrector| corrector.recovery);
     for step in 0..4 * window + rest + recovery {
         let mut signal = |place: usize, span: &Span, spoil: fn(f64, usize, usize, &mut Random) -> f64| {
             let value = smooth(*span, step, pace, place, if sensed { 0.0 } else { 1e-3 }, &mut random);
@@ -71,7 +71,8 @@ fn the_corpus_is_equal_everywhere() {
         let name = &case.program.name;
         let mut seen: BTreeSet<u8> = answers.iter().map(|answer| answer.status).collect();
         // Where samples are left out, those that are there determine the state in spite of all faults.
-        if matches!(&subject.generated.design.shape, Shape::Window(functional) if functional.irregular.is_some()) {
+        let functional = subject.generated.design.estimator.downcast_ref::<Functional>();
+        if functional.is_some_and(|functional| functional.irregular.is_some()) {
             seen.insert(2);
         }
         assert_eq!(seen, BTreeSet::from([0, 1, 2]), "{name}: the samples lead through every status");

@@ -12,8 +12,7 @@ use std::sync::OnceLock;
 use std::{env, fs};
 
 use corpus::{Entry, corpus, root, side_by_side};
-use deadbeat_codegen::method::METHODS;
-use deadbeat_codegen::{Generator, Language};
+use deadbeat_codegen::{Generator, Language, METHODS};
 
 /// The folder of each language below `generated/`.
 const FOLDERS: [(&str, Language); 3] = [("rust", Language::Rust), ("c", Language::C), ("step", Language::Step)];

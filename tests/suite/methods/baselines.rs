@@ -14,14 +14,14 @@ use crate::support::{golden, linear, plant};
 
 use std::fmt::Write as _;
 
-use deadbeat_codegen::corrector::noise::over_a_sample;
-use deadbeat_codegen::corrector::riccati::{Noise, first_covariance, steady, transient};
-use deadbeat_codegen::decimal::parse;
-use deadbeat_codegen::design::{CONTRACTED, Convergence};
 use deadbeat_codegen::diagnostic::codes;
+use deadbeat_codegen::internals::decimal::parse;
+use deadbeat_codegen::internals::estimator::corrector::noise::over_a_sample;
+use deadbeat_codegen::internals::estimator::corrector::riccati::{Noise, first_covariance, steady, transient};
+use deadbeat_codegen::internals::real::{Matrix, Precision, Real, zero_order_hold};
 use deadbeat_codegen::program::Status;
 use deadbeat_codegen::program::interp::Interpreter;
-use deadbeat_codegen::real::{Matrix, Precision, Real, zero_order_hold};
+use deadbeat_codegen::promise::{CONTRACTED, Convergence};
 use deadbeat_codegen::{Generated, Generator};
 use golden::{golden, nearest};
 use linear::Linear;

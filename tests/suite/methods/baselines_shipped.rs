@@ -5,9 +5,9 @@
 
 use crate::support::plant;
 
-use deadbeat_codegen::design::Convergence;
 use deadbeat_codegen::program::Status;
 use deadbeat_codegen::program::interp::Interpreter;
+use deadbeat_codegen::promise::Convergence;
 use plant::{Random, designed};
 
 const H: f64 = 1e-3;

@@ -12,8 +12,9 @@
 use crate::support::{plant, truths};
 
 use deadbeat_codegen::Generated;
-use deadbeat_codegen::design::{Convergence, Shape};
+use deadbeat_codegen::internals::estimator::corrector::Corrector;
 use deadbeat_codegen::program::Status;
+use deadbeat_codegen::promise::Convergence;
 use plant::{Answers, Random, Run, Truth, UNIT, at_sample_time, corpus, designed};
 use truths::{corrects, names, names_of, truth};
 
@@ -23,7 +24,7 @@ fn correctors() -> Vec<(String, Generated, Truth)> {
     let linear = |name: &String| corrects(name) && !names_of("robust-exact").contains(name);
     let all = names().into_iter().filter(linear).map(|name| {
         let (generated, truth) = (designed(&corpus(&name)), truth(&name));
-        assert!(matches!(generated.design.shape, Shape::Corrector(_)), "{name}");
+        assert!(generated.design.estimator.downcast_ref::<Corrector>().is_some(), "{name}");
         let truth = truth.unwrap_or_else(|| panic!("{name} has no truth"));
         (name, generated, truth)
     });

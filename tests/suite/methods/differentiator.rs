@@ -8,9 +8,9 @@
 
 use crate::support::golden;
 
-use deadbeat_codegen::design::Convergence;
 use deadbeat_codegen::program::interp::Interpreter;
 use deadbeat_codegen::program::{Scalar, Status};
+use deadbeat_codegen::promise::Convergence;
 use deadbeat_codegen::{Generated, Generator, Settings};
 use golden::{golden, nearest, text};
 

@@ -4,9 +4,9 @@
 
 use crate::support::golden;
 
-use deadbeat_codegen::decimal;
-use deadbeat_codegen::implicit_euler::{Gains, ImplicitEuler, output_map};
-use deadbeat_codegen::real::Rational;
+use deadbeat_codegen::internals::decimal;
+use deadbeat_codegen::internals::estimator::corrector::implicit_euler::{Gains, ImplicitEuler, output_map};
+use deadbeat_codegen::internals::real::Rational;
 use golden::{nearest, text};
 
 /// The numbers behind a key of one case, as they are written; quotes are left out.

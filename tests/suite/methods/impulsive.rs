@@ -13,9 +13,9 @@ use crate::support::{impulsive, plant};
 
 use std::cell::Cell;
 
-use deadbeat_codegen::design::Convergence;
 use deadbeat_codegen::diagnostic::codes;
 use deadbeat_codegen::program::Status;
+use deadbeat_codegen::promise::Convergence;
 use deadbeat_codegen::{Generated, Generator};
 use impulsive::{Linear, period_map, radius, rounding};
 use plant::{advance, designed, matrix};

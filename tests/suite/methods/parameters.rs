@@ -12,10 +12,10 @@
 use crate::support::{plant, truths};
 
 use deadbeat_codegen::diagnostic::codes;
-use deadbeat_codegen::parameters::paper::{Exosystem, Times, constants};
+use deadbeat_codegen::internals::real::{Precision, Real};
+use deadbeat_codegen::internals::sampled::unknowns::paper::{Exosystem, Times, constants};
 use deadbeat_codegen::program::interp::Interpreter;
 use deadbeat_codegen::program::{Scalar, Status};
-use deadbeat_codegen::real::{Precision, Real};
 use deadbeat_codegen::{Generated, Generator};
 use plant::{Hold, NOTHING_YET, Random, Run, Truth, corpus, designed, designed_in, edited, matrix};
 use serde_json::Value;

@@ -14,11 +14,13 @@ use crate::support::{linear, plant};
 
 use std::cell::Cell;
 
-use deadbeat_codegen::corrector::holloway_krstic::{hbar, hbar_by_recursion, pbar, pbar_by_recursion, qbar};
 use deadbeat_codegen::diagnostic::codes;
+use deadbeat_codegen::internals::estimator::corrector::holloway_krstic::{
+    hbar, hbar_by_recursion, pbar, pbar_by_recursion, qbar,
+};
+use deadbeat_codegen::internals::real::{Precision, Rational, Real};
 use deadbeat_codegen::program::interp::Interpreter;
 use deadbeat_codegen::program::{Scalar, Status};
-use deadbeat_codegen::real::{Precision, Rational, Real};
 use deadbeat_codegen::{Generated, Generator, Settings};
 use linear::{Linear, exponential};
 use nalgebra::{DMatrix, DVector};
@@ -38,7 +40,7 @@ fn numbers(list: &Value) -> Vec<f64> {
 /// "12/5" as a rational.
 fn ratio(text: &str) -> Rational {
     let (over, under) = text.split_once('/').unwrap_or((text, "1"));
-    let whole = |part: &str| deadbeat_codegen::decimal::parse(part).unwrap();
+    let whole = |part: &str| deadbeat_codegen::internals::decimal::parse(part).unwrap();
     whole(over) / whole(under)
 }
 

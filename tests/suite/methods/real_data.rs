@@ -6,10 +6,10 @@ use crate::support::plant;
 
 use std::process::Command;
 
-use deadbeat_codegen::design::Convergence;
 use deadbeat_codegen::program::cost::cost;
 use deadbeat_codegen::program::interp::Interpreter;
 use deadbeat_codegen::program::{Scalar, Status};
+use deadbeat_codegen::promise::Convergence;
 use plant::{corpus, designed_in};
 
 /// Digits to which a prototype in double precision gave the two numbers.

@@ -15,9 +15,9 @@ use crate::support::{plant, truths};
 use std::fmt::Write as _;
 
 use deadbeat_codegen::diagnostic::{Diagnostic, codes};
+use deadbeat_codegen::internals::estimator::window::Way;
 use deadbeat_codegen::program::Status;
 use deadbeat_codegen::program::interp::Interpreter;
-use deadbeat_codegen::window::Way;
 use deadbeat_codegen::{Generated, Generator};
 use nalgebra::DMatrix;
 use plant::{Random, Run, corpus, designed, edited, functional, integration_rounding, matrix, rounding};

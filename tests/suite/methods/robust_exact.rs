@@ -12,9 +12,9 @@
 use crate::support::plant;
 
 use deadbeat_codegen::Generated;
-use deadbeat_codegen::design::Convergence;
 use deadbeat_codegen::program::Status;
 use deadbeat_codegen::program::interp::Interpreter;
+use deadbeat_codegen::promise::Convergence;
 use plant::{Random, designed, designed_in};
 use serde_json::Value;
 

@@ -5,10 +5,10 @@
 use crate::support::{golden, plant};
 
 use deadbeat_codegen::Generated;
-use deadbeat_codegen::real::{Matrix, Precision, Real, inverse};
-use deadbeat_codegen::window::coordinates::Coordinates;
-use deadbeat_codegen::window::innovation::{Innovation, SingleDelay};
-use deadbeat_codegen::window::model::Model;
+use deadbeat_codegen::internals::estimator::window::innovation::{Innovation, SingleDelay};
+use deadbeat_codegen::internals::real::{Matrix, Precision, Real, inverse};
+use deadbeat_codegen::internals::sampled::coordinates::Coordinates;
+use deadbeat_codegen::internals::sampled::model::Model;
 use golden::{golden, nearest};
 use plant::{NOTHING_YET, Random, Run, at_sample_time, corpus, designed, matrix, rounding};
 

@@ -5,8 +5,8 @@
 
 use crate::support::{golden, linear, plant};
 
-use deadbeat_codegen::design::Convergence;
 use deadbeat_codegen::diagnostic::codes;
+use deadbeat_codegen::promise::Convergence;
 use deadbeat_codegen::{Generated, Generator};
 use golden::golden;
 use linear::exponential;

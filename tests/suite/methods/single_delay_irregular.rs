@@ -11,9 +11,9 @@
 
 use crate::support::{linear, plant, truths};
 
-use deadbeat_codegen::design::{CONTRACTED, Convergence};
 use deadbeat_codegen::diagnostic::codes;
 use deadbeat_codegen::program::Status;
+use deadbeat_codegen::promise::{CONTRACTED, Convergence};
 use deadbeat_codegen::{Generated, Generator};
 use linear::Linear;
 use plant::{Random, Run, at_sample_time, designed, functional};

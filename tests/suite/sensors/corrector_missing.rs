@@ -7,9 +7,10 @@
 use crate::support::plant;
 
 use deadbeat_codegen::Generated;
-use deadbeat_codegen::design::{Convergence, Shape};
+use deadbeat_codegen::internals::estimator::corrector::Corrector;
 use deadbeat_codegen::program::interp::Interpreter;
 use deadbeat_codegen::program::{Scalar, Status};
+use deadbeat_codegen::promise::Convergence;
 use plant::{Hold, Random, Run, Truth, designed_in, matrix};
 
 const H: f64 = 0.01;
@@ -143,10 +144,7 @@ fn the_status_says_how_long_a_missing_sample_is_felt() {
 
 /// Good calls in a row from a missing sample to `Converged`.
 fn recovery(generated: &Generated) -> usize {
-    match &generated.design.shape {
-        Shape::Corrector(corrector) => corrector.recovery,
-        _ => panic!("another shape"),
-    }
+    generated.design.estimator.downcast_ref::<Corrector>().expect("a corrector").recovery
 }
 
 /// The size of an error: the root mean square of what it does to the output over the calls until convergence.

@@ -4,9 +4,9 @@
 
 #![allow(clippy::cast_precision_loss, reason = "counts of calls are small")]
 
-use deadbeat_codegen::design::Convergence;
 use deadbeat_codegen::program::Status;
 use deadbeat_codegen::program::interp::Interpreter;
+use deadbeat_codegen::promise::Convergence;
 use deadbeat_codegen::{Generated, Generator};
 
 /// An oscillator with an input that keeps its value, one that runs straight, a constant and a known motion.

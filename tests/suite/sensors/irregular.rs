@@ -13,10 +13,10 @@ use crate::support::{linear, plant};
 
 use std::cell::Cell;
 
-use deadbeat_codegen::design::Convergence;
 use deadbeat_codegen::diagnostic::codes;
+use deadbeat_codegen::internals::estimator::window::irregular::Irregular;
 use deadbeat_codegen::program::{Scalar, Status};
-use deadbeat_codegen::window::irregular::Irregular;
+use deadbeat_codegen::promise::Convergence;
 use deadbeat_codegen::{Generated, Generator, Settings};
 use linear::{Linear, Shape};
 use plant::{Random, Run, UNIT, corpus, designed, functional};

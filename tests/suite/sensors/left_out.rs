@@ -15,9 +15,9 @@ use crate::support::{linear, plant, truths};
 use std::cell::Cell;
 
 use deadbeat_codegen::diagnostic::codes;
+use deadbeat_codegen::internals::estimator::window::irregular::Irregular;
 use deadbeat_codegen::program::interp::Interpreter;
 use deadbeat_codegen::program::{Scalar, Status};
-use deadbeat_codegen::window::irregular::Irregular;
 use deadbeat_codegen::{Generated, Generator, Settings};
 use linear::{Linear, Shape};
 use plant::{Random, Run, UNIT, corpus, delays, designed, functional};

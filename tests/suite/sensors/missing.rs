@@ -13,9 +13,10 @@
 use crate::support::{plant, truths};
 
 use deadbeat_codegen::Generated;
-use deadbeat_codegen::design::{Convergence, Shape};
+use deadbeat_codegen::internals::estimator::window::Functional;
 use deadbeat_codegen::program::interp::Interpreter;
 use deadbeat_codegen::program::{Scalar, Status};
+use deadbeat_codegen::promise::Convergence;
 use plant::{
     Answers, Hold, Random, Run, Truth, UNIT, at_sample_time, corpus, delays, designed, designed_in, edited, functional,
     integration_rounding, matrix, rounding,
@@ -42,7 +43,7 @@ fn assert_statuses(what: &str, answers: &Answers, expected: impl Fn(usize) -> St
 
 /// Whether samples may be missing by declaration: `tests/suite/sensors/irregular.rs` has those.
 fn takes_gaps(generated: &Generated) -> bool {
-    matches!(&generated.design.shape, Shape::Window(functional) if functional.irregular.is_some())
+    generated.design.estimator.downcast_ref::<Functional>().is_some_and(|functional| functional.irregular.is_some())
 }
 
 /// Every plant and output: a sample that is missing before convergence starts the window again, and N+1

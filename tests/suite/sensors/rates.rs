@@ -114,7 +114,7 @@ fn the_printed_gains_are_attained_at_the_worst_phase() {
     let generated = designed(&corpus("two_rates"));
     let irregular = functional(&generated).irregular.as_ref().expect("a solve in the step");
     let (steps, states) = (generated.design.valid_from_step, generated.plant.states.len());
-    assert_eq!(irregular.phases.len(), 5);
+    assert_eq!(generated.design.phases.len(), 5);
     let delays = plant::delays(&generated);
     let every = [5, 1];
     for output in 0..2 {
@@ -136,7 +136,7 @@ fn the_printed_gains_are_attained_at_the_worst_phase() {
                 }
                 let answers = run.through(&generated);
                 let (gain, expected) =
-                    (answers.estimates[last][state], irregular.phases[last % 5].noise_gain_l1[state][output]);
+                    (answers.estimates[last][state], generated.design.phases[last % 5].noise_gain_l1[state][output]);
                 // Both are sums over the same rows in doubles, by different ways.
                 assert!((gain / expected - 1.0).abs() < 1e-9, "phase {phase}: {gain} {expected}");
                 largest = largest.max(gain);

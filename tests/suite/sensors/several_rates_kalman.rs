@@ -174,8 +174,10 @@ fn the_cycle_counts_on_whatever_is_missing() {
 }
 
 fn recovery(generated: &Generated) -> usize {
-    match &generated.design.shape {
-        deadbeat_codegen::design::Shape::Corrector(corrector) => corrector.recovery,
-        _ => panic!("another shape"),
-    }
+    generated
+        .design
+        .estimator
+        .downcast_ref::<deadbeat_codegen::internals::estimator::corrector::Corrector>()
+        .expect("a corrector")
+        .recovery
 }

@@ -17,7 +17,8 @@ use std::process::{Command, Stdio};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::{env, fs, thread};
 
-use deadbeat_codegen::emit::{self, Header};
+use deadbeat_codegen::internals::emit;
+use deadbeat_codegen::internals::emit::Header;
 use deadbeat_codegen::program::interp::Interpreter;
 use deadbeat_codegen::program::{Field, Kind, Program, Scalar, Status};
 

@@ -112,8 +112,11 @@ impl Subject {
 
     /// Measurements that are inside their range.
     pub fn measured(&self) -> Vec<Span> {
-        let number = |it: &deadbeat_codegen::expr::Constant| it.to_f64().expect("a range of numbers");
-        let span = |output: &deadbeat_codegen::plant::Output| match output.raw_range.as_ref().or(output.range.as_ref())
+        let number = |it: &deadbeat_codegen::internals::expr::Constant| it.to_f64().expect("a range of numbers");
+        let span = |output: &deadbeat_codegen::internals::plant::Output| match output
+            .raw_range
+            .as_ref()
+            .or(output.range.as_ref())
         {
             Some((low, high)) => {
                 let (low, high) = (number(low), number(high));

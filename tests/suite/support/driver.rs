@@ -1,7 +1,7 @@
 //! The main functions that run a batch of observers one after the other: each reads its samples
 //! from the input and writes its answers to the output, as raw numbers.
 
-use deadbeat_codegen::emit::Door;
+use deadbeat_codegen::internals::emit::Door;
 use deadbeat_codegen::program::{Field, Kind, Program, Scalar};
 
 use super::{Case, restart};

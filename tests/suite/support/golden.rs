@@ -2,7 +2,7 @@
 
 #![allow(dead_code, reason = "each test uses a part of it")]
 
-use deadbeat_codegen::real::{Precision, Real};
+use deadbeat_codegen::internals::real::{Precision, Real};
 
 /// The text of a golden file.
 pub fn text(file: &str) -> String {
@@ -31,10 +31,10 @@ pub fn golden(file: &str, keys: &[&str]) -> Vec<String> {
 /// place of its nearest double; nothing is rounded in the comparison.
 pub fn can_be_nearest(ours: f64, written: &str) -> bool {
     let exact = |x: f64| Real::from_f64(x, Precision::bits(64)).unwrap().to_rational().unwrap();
-    let golden = deadbeat_codegen::decimal::parse(written).unwrap();
+    let golden = deadbeat_codegen::internals::decimal::parse(written).unwrap();
     let power = format!("{:e}", written.parse::<f64>().unwrap());
     let power: i32 = power.split_once('e').unwrap().1.parse().unwrap();
-    let digit = deadbeat_codegen::decimal::parse(&format!("0.5e{}", power - 16)).unwrap();
+    let digit = deadbeat_codegen::internals::decimal::parse(&format!("0.5e{}", power - 16)).unwrap();
     let (below, above) = (exact(ours.next_down()), exact(ours.next_up()));
     // Twice the number, between the middles to both neighbours.
     let (twice, ours) = (&golden + &golden, exact(ours));

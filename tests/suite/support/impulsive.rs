@@ -2,8 +2,8 @@
 
 #![allow(dead_code, reason = "each test uses a part of it")]
 
-use deadbeat_codegen::design::{Settled, Shape};
-use deadbeat_codegen::impulsive::{Grid, Impulsive};
+use deadbeat_codegen::internals::estimator::copies::{Grid, Impulsive};
+use deadbeat_codegen::internals::sampled::settled::Settled;
 use deadbeat_codegen::program::interp::Interpreter;
 use deadbeat_codegen::{Generated, Generator};
 use nalgebra::{DMatrix, DVector};
@@ -121,8 +121,7 @@ fn exponential(matrix: &DMatrix<f64>) -> DMatrix<f64> {
 
 /// The shape of an impulsive design.
 pub fn impulsive(generated: &Generated) -> &Impulsive {
-    let Shape::Impulsive(design) = &generated.design.shape else { panic!("another shape") };
-    design
+    generated.design.estimator.downcast_ref::<Impulsive>().expect("an impulsive design")
 }
 
 fn dense(grid: &Grid, cols: usize) -> DMatrix<f64> {
@@ -157,7 +156,7 @@ pub fn rounding(generated: &Generated, run: &Run, step: &[f64]) -> Vec<f64> {
     let (of_outputs, of_rests) = (simulated.rows(0, p).into_owned(), simulated.rows(p, rest).into_owned());
 
     // Per copy: the error that a call adds, and the sum of what a period of them becomes behind the reset.
-    let copy = |update: &deadbeat_codegen::impulsive::Update,
+    let copy = |update: &deadbeat_codegen::internals::estimator::copies::Update,
                 common: &DVector<f64>,
                 plant: &DVector<f64>,
                 reset: &DMatrix<f64>| {

@@ -10,10 +10,11 @@
     reason = "counts of calls and samples are small"
 )]
 
-use deadbeat_codegen::design::Shape;
+use deadbeat_codegen::internals::estimator::window::Functional;
+use deadbeat_codegen::internals::estimator::window::regression::Regression;
+use deadbeat_codegen::internals::sampled::Source;
 use deadbeat_codegen::program::interp::Interpreter;
 use deadbeat_codegen::program::{Scalar, Status};
-use deadbeat_codegen::window::{Functional, Source};
 use deadbeat_codegen::{Generated, Generator, Settings};
 use nalgebra::DMatrix;
 
@@ -288,21 +289,16 @@ fn largest<'a>(rows: impl Iterator<Item = &'a Vec<f64>>) -> Vec<f64> {
 
 /// The functional of a window design.
 pub fn functional(generated: &Generated) -> &Functional {
-    match &generated.design.shape {
-        Shape::Window(functional) => functional,
-        Shape::Regression(_) | Shape::Impulsive(_) | Shape::Corrector(_) | Shape::Baseline(_) => {
-            panic!("{} has no constant weights", generated.plant.name)
-        }
-    }
+    let functional = generated.design.estimator.downcast_ref::<Functional>();
+    functional.unwrap_or_else(|| panic!("{} has no constant weights", generated.plant.name))
 }
 
 /// Whole samples of delay, per output.
 pub fn delays(generated: &Generated) -> Vec<usize> {
-    match &generated.design.shape {
-        Shape::Window(functional) => functional.delays.clone(),
-        Shape::Regression(regression) => regression.carrier.delays.clone(),
-        Shape::Impulsive(_) | Shape::Corrector(_) | Shape::Baseline(_) => vec![0; generated.plant.outputs.len()],
-    }
+    let estimator = &generated.design.estimator;
+    let window = estimator.downcast_ref::<Functional>().map(|functional| functional.delays.clone());
+    let regression = || estimator.downcast_ref::<Regression>().map(|regression| regression.carrier.delays.clone());
+    window.or_else(regression).unwrap_or_else(|| vec![0; generated.plant.outputs.len()])
 }
 
 /// A matrix of the design by its letter.

@@ -11,7 +11,7 @@ use std::process::{Command, Stdio};
 use std::time::{Duration, SystemTime};
 
 use corpus::{empty_folder, root};
-use deadbeat_codegen::method::METHODS;
+use deadbeat_codegen::METHODS;
 use serde_json::Value;
 
 /// How a command ended.
