@@ -8,6 +8,7 @@
 pub mod adaptive_window;
 pub mod alpha_beta;
 mod baseline;
+mod between;
 mod constant;
 pub mod countdown;
 pub mod differentiator;

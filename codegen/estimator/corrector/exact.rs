@@ -2,6 +2,7 @@
 
 use super::Counting;
 use super::chain::Chain;
+use super::interval;
 use super::law::Rows;
 use super::sliding::ExactSliding;
 use crate::diagnostic::Diagnostic;
@@ -87,7 +88,10 @@ impl Exact {
         precision: Precision,
     ) -> Result<Self, Vec<Diagnostic>> {
         let chain = if law.needs_chain() || scaled {
-            Some(Chain::new(&model.phi, &model.c).map_err(|error| super::design::no_chain(plant, &error.to_string()))?)
+            Some(
+                Chain::new(&interval::transition(plant, &model.phi), &model.c)
+                    .map_err(|error| super::design::no_chain(plant, &error.to_string()))?,
+            )
         } else {
             None
         };
