@@ -14,9 +14,8 @@
 use crate::spec::Chain;
 use std::sync::Arc;
 
-use super::between;
 use super::constant::{Asked, Outputs, design, refuse};
-use super::{Keyed, Method, order};
+use super::{Keyed, Method, between, order};
 use crate::decimal::show;
 use crate::diagnostic::{Diagnostic, codes};
 use crate::estimator::Design;

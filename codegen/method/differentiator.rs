@@ -15,12 +15,11 @@ use crate::spec::Chain;
 use std::ops::Range;
 use std::sync::Arc;
 
-use super::between;
 use super::countdown::{self, Countdown};
 use super::order::{self, Order};
 use super::prescribed_time::{exactly, filter, promised, refuse_delays, summary, weak};
 use super::window::{constants, refuse_unknowns, resolution_warnings, verdict};
-use super::{Keyed, Method, Moment, noise};
+use super::{Keyed, Method, Moment, between, noise};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::estimator::Design;
 use crate::estimator::corrector::design::{Promise, Request, build};

@@ -13,17 +13,15 @@
 use crate::spec::Chain;
 use std::sync::Arc;
 
-use super::between;
 use super::order::{self, Order};
 use super::prescribed_time::{refuse_delays, refuse_several_outputs};
 use super::window::{constants, refuse_unknowns, resolution_warnings, time_warning, verdict};
-use super::{Keyed, Method};
+use super::{Keyed, Method, between};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::estimator::Design;
-use crate::estimator::corrector::Counting;
 use crate::estimator::corrector::design::{Promise, Request, build};
 use crate::estimator::corrector::exact::Law;
-use crate::estimator::corrector::interval;
+use crate::estimator::corrector::{Counting, interval};
 use crate::numbers::{count, short};
 use crate::plant::Plant;
 use crate::plant::features::{Cannot, Feature};

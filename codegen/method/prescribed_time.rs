@@ -16,10 +16,9 @@ pub(super) mod filter;
 use std::ops::Range;
 use std::sync::Arc;
 
-use super::between;
 use super::countdown::{self, Countdown};
 use super::window::{constants, refuse_unknowns, resolution_warnings, time_warning, verdict};
-use super::{Keyed, Method, Moment, noise};
+use super::{Keyed, Method, Moment, between, noise};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::estimator::Design;
 use crate::estimator::corrector::chain::Chain;

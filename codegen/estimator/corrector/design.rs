@@ -2,10 +2,9 @@
 
 use super::errors::{Errors, Remaining};
 use super::exact::{Exact, Law};
-use super::interval;
 use super::schedule::Schedule;
 use super::settle::settle;
-use super::{Corrector, Counting};
+use super::{Corrector, Counting, interval};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::plant::Plant;
 use crate::promise::{CONTRACTED, Certificate, Convergence};

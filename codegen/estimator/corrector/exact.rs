@@ -1,10 +1,9 @@
 //! The observer at one precision.
 
-use super::Counting;
 use super::chain::Chain;
-use super::interval;
 use super::law::Rows;
 use super::sliding::ExactSliding;
+use super::{Counting, interval};
 use crate::diagnostic::Diagnostic;
 use crate::plant::Plant;
 use crate::real::{Matrix, Precision, Real, inverse};

@@ -1,8 +1,7 @@
 //! The gain of every call, in doubles: for what is promised, not for what is computed.
 
 use super::exact::{Exact, Law};
-use super::interval;
-use super::{After, Counting};
+use super::{After, Counting, interval};
 use crate::dense::Rows as Dense;
 use crate::plant::Plant;
 
