@@ -1,4 +1,6 @@
 //! The build script's door: `deadbeat_codegen::build("specs/motor.toml")`.
+//!
+//! Knows the five calls of a generator, the environment of a build script. Never knows a design from the inside.
 
 use std::path::{Path, PathBuf};
 

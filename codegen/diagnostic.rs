@@ -1,5 +1,7 @@
 //! A user's mistake as data: a code, the place, a measured number, a way out.
 //!
+//! Knows texts, places in them, numbers. Never knows what a rule is about, nor the terminal.
+//!
 //! In: what a stage found. Out: text for people ([`Report::render`]), JSON for machines
 //! ([`Report::to_json`]). All mistakes of one stage travel together; a stage with a mistake has no
 //! output, so nothing half-checked reaches the next.

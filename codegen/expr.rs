@@ -1,5 +1,7 @@
 //! Right-hand sides: what a user may write in an expression, exactly.
 //!
+//! Knows what can be written, names once they are given. Never knows what a name stands for.
+//!
 //! In: text in a literal string. Out: a syntax tree with spans ([`parse`]), and from it, once the
 //! names are known, a tree of [`Node`]s, each with its canonical polynomial ([`Poly`]): decimals
 //! are rationals, `b1*(i + 2*i)` is linear, `q^2 - q*q` vanishes. No float appears here.

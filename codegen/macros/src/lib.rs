@@ -5,11 +5,10 @@
 use std::path::Path;
 use std::str::FromStr as _;
 
-use deadbeat_codegen::Generator;
-use deadbeat_codegen::Settings;
 use deadbeat_codegen::internals::emit;
 use deadbeat_codegen::internals::emit::Door;
 use deadbeat_codegen::internals::output::header;
+use deadbeat_codegen::{Generator, Settings};
 use proc_macro::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 use syn::parse::{ParseStream, Parser as _};
 
