@@ -14,7 +14,6 @@
 #[path = "."]
 pub mod internals {
     pub mod decimal;
-    pub mod dense;
     pub mod diagnostic;
     pub mod emit;
     pub mod estimator;
@@ -40,7 +39,7 @@ pub mod figure;
 pub mod replay;
 
 use internals::{
-    decimal, dense, emit, estimator, expr, generated, method, names, numbers, output, plant, real, sampled, spec, step,
+    decimal, emit, estimator, expr, generated, method, names, numbers, output, plant, real, sampled, spec, step,
 };
 
 pub use build::build;

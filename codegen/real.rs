@@ -42,7 +42,7 @@ pub use balance::{balanced, equilibrated_columns, unbalanced};
 pub use elementary::Undefined;
 pub use exponential::{NormTooLarge, exponential, first_order_hold, third_order_hold, zero_order_hold};
 pub use gramian::{gramian, weighted_gramian};
-pub use matrix::Matrix;
+pub use matrix::{Matrix, rows};
 pub use number::{Precision, Real};
 pub use orthogonal::{RankDeficient, least_squares, orthonormal, pseudo_inverse};
 pub use singular::{Rank, condition, rank, singular_values};

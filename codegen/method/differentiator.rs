@@ -127,7 +127,7 @@ impl Keyed for Keys {
         let mut built = build(&request)?;
         built.numerics.condition = condition;
         let last = built.schedule.lead.last();
-        let last = last.map_or(0.0, |gain| gain.iter().flatten().fold(0.0, |most: f64, x| most.max(x.abs())));
+        let last = last.map_or(0.0, |gain| gain.iter().fold(0.0, |most: f64, x| most.max(x.abs())));
         let mut warnings = countdown.warnings(plant, &self.countdown, last);
         warnings.extend(weak(plant, &self.countdown, built.remaining.share)?);
         warnings.extend(resolution_warnings(plant));

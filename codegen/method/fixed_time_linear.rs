@@ -26,7 +26,7 @@ use crate::numbers::{count, short};
 use crate::plant::Plant;
 use crate::plant::features::{Cannot, Feature};
 use crate::promise::{Certificate, Convergence, NamedMatrix};
-use crate::real::{Matrix, Precision, Real};
+use crate::real::{Matrix, Precision, Real, rows};
 use crate::sampled::model::signals;
 use crate::spec::reader::Table;
 
@@ -90,7 +90,7 @@ impl Keyed for Keys {
         let mut numerics = built.numerics;
         numerics.condition = condition;
         let mut all = constants(&built.exact.model);
-        let gain = built.schedule.cycle.last().cloned().unwrap_or_default();
+        let gain = built.schedule.cycle.last().map(rows).unwrap_or_default();
         all.push(NamedMatrix { letter: "K", rows: gain });
         let mut warnings: Vec<Diagnostic> = noise(plant, &built.certificate, self.order.order).into_iter().collect();
         warnings.extend(time_warning(plant));

@@ -284,7 +284,7 @@ impl Keys {
             Scalar::F64 => f64::EPSILON,
         };
         let blocks = exact.coordinates.blocks(&exact.phi);
-        let gain = exact.gain.to_f64();
+        let gain = exact.gain.doubles();
         let trust = vec![1.0; plant.outputs.len()];
         let copies = [&exact.first.copy, &exact.second.copy];
         let size = Size::new(&blocks, &trust, period);

@@ -169,7 +169,7 @@ impl Keyed for Keys {
         numerics.condition = condition;
         let mut warnings = Vec::new();
         if let Gains::Countdown(countdown) = &gains {
-            let last = schedule.lead.last().into_iter().flatten().flatten().fold(0.0, |a: f64, x| a.max(x.abs()));
+            let last = schedule.lead.last().into_iter().flatten().fold(0.0, |a: f64, x| a.max(x.abs()));
             warnings.extend(countdown.warnings(plant, &self.countdown, last));
         }
         warnings.extend(weak(plant, &self.countdown, remaining.share)?);

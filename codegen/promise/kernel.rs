@@ -1,5 +1,7 @@
 //! What a disturbance does to an estimate over one sample interval, and how steep a nonlinear term is.
 
+use nalgebra::DMatrix;
+
 use crate::expr::Symbol;
 use crate::expr::bounds::{Interval, derivative, enclose};
 use crate::plant::{Disturbance, Plant};
@@ -8,11 +10,11 @@ use crate::real::{Matrix, Precision, Real, exponential, zero_order_hold};
 /// What a disturbance does over one sample interval, cut into parts.
 pub(crate) struct Kernel {
     /// Per part: the integral over it, n x d.
-    parts: Vec<Vec<Vec<f64>>>,
+    parts: Vec<DMatrix<f64>>,
     /// Per boundary between parts: the kernel there, n x d.
-    edges: Vec<Vec<Vec<f64>>>,
+    edges: Vec<DMatrix<f64>>,
     /// A bound on the kernel's slope, entry by entry.
-    slope: Vec<Vec<f64>>,
+    slope: DMatrix<f64>,
     /// Length of a part, s; 0 for a discrete plant.
     length: f64,
 }
@@ -27,39 +29,40 @@ impl Kernel {
         let columns = plant.disturbances.iter().map(column);
         let all = columns.reduce(|a, b| a.hcat(&b)).unwrap_or_else(|| Matrix::zeros(n, 0, p));
         if plant.discrete || all.cols() == 0 {
-            return Some(Self { parts: vec![all.to_f64()], edges: Vec::new(), slope: Vec::new(), length: 0.0 });
+            let slope = DMatrix::zeros(n, all.cols());
+            return Some(Self { parts: vec![all.doubles()], edges: Vec::new(), slope, length: 0.0 });
         }
         let a = Matrix::from_fn(n, n, |i, j| plant.a[i][j].evaluate(p).unwrap_or_else(|_| Real::zero(p)));
         let h = plant.sample_time.0.evaluate(p).ok()?;
         let length = &h / &Real::from_i64(PARTS, p);
         let (phi, gamma) = zero_order_hold(&a, &all, &length).ok()?;
         let (mut part, mut edge) = (gamma, all.clone());
-        let (mut parts, mut edges) = (Vec::new(), vec![edge.to_f64()]);
+        let (mut parts, mut edges) = (Vec::new(), vec![edge.doubles()]);
         for _ in 0..PARTS {
-            parts.push(part.to_f64());
+            parts.push(part.doubles());
             part = &phi * &part;
             edge = &phi * &edge;
-            edges.push(edge.to_f64());
+            edges.push(edge.doubles());
         }
         // |e^{A s} A d| <= e^{|A| h} |A| |d|, entry by entry.
         let magnitude = |m: &Matrix| m.map(Real::abs);
         let growth = exponential(&magnitude(&a).scale(&h)).ok()?;
-        let slope = (&(&growth * &magnitude(&a)) * &magnitude(&all)).to_f64();
+        let slope = (&(&growth * &magnitude(&a)) * &magnitude(&all)).doubles();
         Some(Self { parts, edges, slope, length: length.to_f64() })
     }
 
     /// Adds one interval's share for the accumulated matrix of its age.
-    pub(crate) fn add(&self, acc: &[Vec<f64>], gains: &mut [Vec<f64>]) {
-        let dot = |row: &[f64], m: &[Vec<f64>], d: usize| -> f64 { row.iter().zip(m).map(|(a, r)| a * r[d]).sum() };
-        let bound =
-            |row: &[f64], m: &[Vec<f64>], d: usize| -> f64 { row.iter().zip(m).map(|(a, r)| a.abs() * r[d]).sum() };
-        for (row, gains) in acc.iter().zip(gains) {
-            for (d, gain) in gains.iter_mut().enumerate() {
+    pub(crate) fn add(&self, acc: &DMatrix<f64>, gains: &mut DMatrix<f64>) {
+        for i in 0..acc.nrows() {
+            for d in 0..gains.ncols() {
+                let dot = |m: &DMatrix<f64>| -> f64 { acc.row(i).iter().zip(&m.column(d)).map(|(a, r)| a * r).sum() };
+                let gain = &mut gains[(i, d)];
                 for (place, part) in self.parts.iter().enumerate() {
-                    *gain += dot(row, part, d).abs();
+                    *gain += dot(part).abs();
                     if self.length > 0.0 {
-                        let steepest = bound(row, &self.slope, d);
-                        let near = dot(row, &self.edges[place], d).abs().min(dot(row, &self.edges[place + 1], d).abs());
+                        let steepest: f64 =
+                            acc.row(i).iter().zip(&self.slope.column(d)).map(|(a, r)| a.abs() * r).sum();
+                        let near = dot(&self.edges[place]).abs().min(dot(&self.edges[place + 1]).abs());
                         // Where the kernel may change its sign, the two halves cancel in the integral.
                         if near < steepest * self.length {
                             *gain += 0.5 * steepest * self.length * self.length;

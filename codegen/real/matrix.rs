@@ -2,7 +2,15 @@
 
 use std::ops::{Add, Index, IndexMut, Mul, Neg, Range, Sub};
 
+use nalgebra::DMatrix;
+
 use super::number::{Precision, Real};
+
+/// A matrix of doubles row by row, as designs and certificates show it.
+#[must_use]
+pub fn rows(matrix: &DMatrix<f64>) -> Vec<Vec<f64>> {
+    matrix.row_iter().map(|row| row.iter().copied().collect()).collect()
+}
 
 /// A dense matrix, stored by rows. Either dimension may be zero.
 ///
@@ -203,6 +211,12 @@ impl Matrix {
     #[must_use]
     pub fn to_f64(&self) -> Vec<Vec<f64>> {
         (0..self.rows).map(|i| (0..self.cols).map(|j| self[(i, j)].to_f64()).collect()).collect()
+    }
+
+    /// The nearest doubles, to reckon with.
+    #[must_use]
+    pub fn doubles(&self) -> DMatrix<f64> {
+        DMatrix::from_fn(self.rows, self.cols, |i, j| self[(i, j)].to_f64())
     }
 
     /// The power `self^n`, by repeated squaring with guard bits for the multiplications.

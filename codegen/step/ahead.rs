@@ -3,6 +3,8 @@
 //! `x(t + a) = e^{A a} x + integral of e^{A s} ds (B u + c + phi(y, u, t))`: exact for linear plants whose inputs keep
 //! their value. Nothing of the observer changes; the answer alone is moved.
 
+use nalgebra::DMatrix;
+
 use crate::diagnostic::{Diagnostic, codes};
 use crate::numbers::short;
 use crate::plant::Plant;
@@ -10,7 +12,7 @@ use crate::program::builder::Builder;
 use crate::program::{Scalar, Value};
 use crate::promise::Certificate;
 use crate::promise::kernel::{Kernel, slope};
-use crate::real::{Matrix, Precision, Real, zero_order_hold};
+use crate::real::{Matrix, Precision, Real, rows, zero_order_hold};
 use crate::sampled::model::Matrices;
 use crate::sampled::samples::whole_samples;
 use crate::sampled::settle::{Pass, rising};
@@ -159,7 +161,6 @@ impl Ahead {
     /// What disturbances do meanwhile, n x d.
     fn disturbed(plant: &Plant) -> Vec<Vec<f64>> {
         let (n, d) = (plant.states.len(), plant.disturbances.len());
-        let unit: Vec<Vec<f64>> = (0..n).map(|i| (0..n).map(|j| f64::from(u8::from(i == j))).collect()).collect();
         let Some((time, span)) = &plant.ahead else { return vec![vec![0.0; d]; n] };
         if plant.discrete {
             // Each of the steps brings the column in, and the later ones carry it.
@@ -179,9 +180,9 @@ impl Ahead {
         }
         let longer = Plant { sample_time: (time.clone(), span.clone()), ..plant.clone() };
         let Some(kernel) = Kernel::new(&longer) else { return vec![vec![f64::INFINITY; d]; n] };
-        let mut gains = vec![vec![0.0; d]; n];
-        kernel.add(&unit, &mut gains);
-        gains
+        let mut gains = DMatrix::zeros(n, d);
+        kernel.add(&DMatrix::identity(n, n), &mut gains);
+        rows(&gains)
     }
 
     /// The largest error, where there is one for the estimate of now.

@@ -7,6 +7,8 @@
 //! between samples, and, for nonlinear terms, what [`ErrorMap`] does not see: the slope of these is taken as in the
 //! method `window` where every call is measured; where not, no bound is given.
 
+use nalgebra::DMatrix;
+
 use crate::plant::Plant;
 use crate::promise::Certificate;
 use crate::promise::kernel::{Kernel, slope};
@@ -15,7 +17,7 @@ use crate::sampled::Source;
 use super::Calls;
 use super::errors::{ErrorMap, MOST_PERIODS};
 use super::known::{Known, depends_on_outputs};
-use crate::dense::{Rows, product, sum};
+use crate::real::{Matrix, rows};
 
 /// What is left of a response when it counts as over; gains are that exact.
 const OVER: f64 = 1e-10;
@@ -39,22 +41,17 @@ pub fn longest_period(states: usize, outputs: usize, ages: usize, disturbed: boo
 pub fn certify(plant: &Plant, knowns: &[Known], map: &ErrorMap, calls: &Calls) -> Certificate {
     let maps = Maps::new(map, calls);
     let (n, p) = (plant.states.len(), plant.outputs.len());
-    let nothing = |columns: usize| vec![vec![vec![0.0; columns]; n]; calls.period];
+    let nothing = |columns: usize| vec![DMatrix::<f64>::zeros(n, columns); calls.period];
     let (mut l1, mut squares) = (nothing(p), nothing(p));
-    let noise = map.noise.to_f64();
+    let noise = map.noise.doubles();
     let sampled = |call: usize| call.is_multiple_of(calls.every);
     maps.responses(&|_, age| (age == 0).then_some(&noise), &sampled, &mut |phase, response| {
-        for ((response, l1), squares) in response.iter().zip(&mut l1[phase]).zip(&mut squares[phase]) {
-            for ((x, l1), square) in response.iter().zip(l1).zip(squares) {
-                *l1 += x.abs();
-                *square += x * x;
-            }
-        }
+        l1[phase].zip_apply(response, |sum, x| *sum += x.abs());
+        squares[phase].zip_apply(response, |sum, x| *sum += x * x);
     });
     let disturbance_gain_l1 = disturbance_gains(plant, map, &maps);
-    let noise_gain_l1 = worst(&l1);
-    let noise_gain_l2: Rows =
-        worst(&squares).iter().map(|row| row.iter().map(|x| deadbeat_math::sqrt_f64(*x)).collect()).collect();
+    let noise_gain_l1 = rows(&worst(&l1));
+    let noise_gain_l2 = rows(&worst(&squares).map(deadbeat_math::sqrt_f64));
     let through_terms = through_terms(plant, knowns, map, &maps);
     let bound = |i: usize| error_bound(plant, &noise_gain_l1[i], &disturbance_gain_l1[i], through_terms.as_ref(), i);
     let error_bound = (0..n).map(bound).collect();
@@ -62,28 +59,26 @@ pub fn certify(plant: &Plant, knowns: &[Known], map: &ErrorMap, calls: &Calls) -
 }
 
 /// Per state and column, the largest over the calls of a period.
-fn worst(by_phase: &[Rows]) -> Rows {
+fn worst(by_phase: &[DMatrix<f64>]) -> DMatrix<f64> {
     let mut worst = by_phase[0].clone();
-    for rows in by_phase {
-        for (worst, row) in worst.iter_mut().zip(rows) {
-            worst.iter_mut().zip(row).for_each(|(worst, x)| *worst = worst.max(*x));
-        }
+    for gains in by_phase {
+        worst.zip_apply(gains, |worst, x| *worst = worst.max(x));
     }
     worst
 }
 
-fn disturbance_gains(plant: &Plant, map: &ErrorMap, maps: &Maps) -> Rows {
+fn disturbance_gains(plant: &Plant, map: &ErrorMap, maps: &Maps) -> Vec<Vec<f64>> {
     let (n, count) = (plant.states.len(), plant.disturbances.len());
     if count == 0 {
         return vec![Vec::new(); n];
     }
     let Some(kernel) = Kernel::new(plant) else { return vec![vec![f64::INFINITY; count]; n] };
-    let disturbed = [map.disturbed[0].to_f64(), map.disturbed[1].to_f64()];
-    let mut gains = vec![vec![vec![0.0; count]; n]; maps.calls.period];
+    let disturbed = [map.disturbed[0].doubles(), map.disturbed[1].doubles()];
+    let mut gains = vec![DMatrix::zeros(n, count); maps.calls.period];
     let added =
         |call: usize, age: usize| (age == 0).then(|| &disturbed[usize::from(call.is_multiple_of(maps.calls.every))]);
     maps.responses(&added, &|_| true, &mut |phase, response| kernel.add(response, &mut gains[phase]));
-    worst(&gains)
+    rows(&worst(&gains))
 }
 
 /// Per state, what noise of the declared level does by way of the nonlinear terms; `None` without a bound.
@@ -102,12 +97,12 @@ fn through_terms(plant: &Plant, knowns: &[Known], map: &ErrorMap, maps: &Maps) -
         for (o, output) in plant.outputs.iter().enumerate() {
             level += slope(plant, k, o)? * output.noise.as_ref()?.to_f64().ok()?;
         }
-        let columns: Vec<Rows> = map.knowns[s].iter().map(crate::real::Matrix::to_f64).collect();
-        let mut gains = vec![vec![vec![0.0]; n]; maps.calls.period];
+        let columns: Vec<DMatrix<f64>> = map.knowns[s].iter().map(Matrix::doubles).collect();
+        let mut gains = vec![DMatrix::<f64>::zeros(n, 1); maps.calls.period];
         maps.responses(&|_, age| columns.get(age), &|_| true, &mut |phase, response| {
-            gains[phase].iter_mut().zip(response).for_each(|(gain, x)| gain[0] += x[0].abs());
+            gains[phase].zip_apply(response, |gain, x| *gain += x.abs());
         });
-        through.iter_mut().zip(worst(&gains)).for_each(|(sum, gain)| *sum += gain[0] * level);
+        through.iter_mut().zip(&worst(&gains)).for_each(|(sum, gain)| *sum += gain * level);
     }
     Some(through)
 }
@@ -132,20 +127,20 @@ fn error_bound(
 /// The error maps in doubles.
 struct Maps<'a> {
     calls: &'a Calls,
-    free: Rows,
-    measured: Rows,
-    reset: Rows,
-    estimate: Rows,
+    free: DMatrix<f64>,
+    measured: DMatrix<f64>,
+    reset: DMatrix<f64>,
+    estimate: DMatrix<f64>,
 }
 
 impl<'a> Maps<'a> {
     fn new(map: &ErrorMap, calls: &'a Calls) -> Self {
         Self {
             calls,
-            free: map.free.to_f64(),
-            measured: map.measured.to_f64(),
-            reset: map.reset.to_f64(),
-            estimate: map.estimate.to_f64(),
+            free: map.free.doubles(),
+            measured: map.measured.doubles(),
+            reset: map.reset.doubles(),
+            estimate: map.estimate.doubles(),
         }
     }
 
@@ -153,44 +148,44 @@ impl<'a> Maps<'a> {
     /// it adds to the errors, `visit` gets each call's place in its period and the error of the plant's states.
     fn responses<'b>(
         &self,
-        added: &dyn Fn(usize, usize) -> Option<&'b Rows>,
+        added: &dyn Fn(usize, usize) -> Option<&'b DMatrix<f64>>,
         enters: &dyn Fn(usize) -> bool,
-        visit: &mut dyn FnMut(usize, &Rows),
+        visit: &mut dyn FnMut(usize, &DMatrix<f64>),
     ) {
         for first in (1..=self.calls.period).filter(|call| enters(*call)) {
             let Some(start) = added(first, 0) else { continue };
             let mut errors = start.clone();
-            let mut peaks = vec![0.0; errors.len()];
+            let mut peaks = vec![0.0; errors.nrows()];
             for call in first.. {
                 if call > first {
                     let measured = call.is_multiple_of(self.calls.every);
-                    errors = product(if measured { &self.measured } else { &self.free }, &errors);
+                    errors = if measured { &self.measured } else { &self.free } * errors;
                     if let Some(more) = added(call, call - first) {
-                        errors = sum(&errors, more);
+                        errors += more;
                     }
                 }
                 let reset = call.is_multiple_of(self.calls.period);
                 if reset {
-                    errors = product(&self.reset, &errors);
+                    errors = &self.reset * errors;
                 }
                 if reset && self.is_over(call, &errors, &peaks) {
                     break;
                 }
                 raise(&mut peaks, &errors);
-                visit(call % self.calls.period, &product(&self.estimate, &errors));
+                visit(call % self.calls.period, &(&self.estimate * &errors));
             }
         }
     }
 
-    fn is_over(&self, call: usize, errors: &Rows, peaks: &[f64]) -> bool {
+    fn is_over(&self, call: usize, errors: &DMatrix<f64>, peaks: &[f64]) -> bool {
         let most = if self.calls.every == 1 { LASTING } else { 2 * MOST_PERIODS };
         call >= most * self.calls.period
-            || errors.iter().zip(peaks).all(|(row, peak)| row.iter().all(|x| x.abs() <= OVER * peak))
+            || errors.row_iter().zip(peaks).all(|(row, peak)| row.iter().all(|x| x.abs() <= OVER * peak))
     }
 }
 
-fn raise(peaks: &mut [f64], errors: &Rows) {
-    for (peak, row) in peaks.iter_mut().zip(errors) {
+fn raise(peaks: &mut [f64], errors: &DMatrix<f64>) {
+    for (peak, row) in peaks.iter_mut().zip(errors.row_iter()) {
         *peak = row.iter().fold(*peak, |peak, x| peak.max(x.abs()));
     }
 }

@@ -6,6 +6,8 @@
 //! gain that moves each mode by about one over the window, goes along a pattern in fixed order, and rounds to three
 //! digits; the choice is the same on every machine.
 
+use nalgebra::DMatrix;
+
 use crate::decimal;
 use crate::expr::Constant;
 use crate::plant::Plant;
@@ -18,7 +20,6 @@ use super::errors::{ErrorMap, spectral_radius};
 use super::exact::{Exact, ExactUpdate, Failure, Pair, pair};
 use super::size::Size;
 use super::weights::Weights;
-use crate::dense::Rows;
 
 /// Bits of what decides.
 const BITS: usize = 512;
@@ -62,7 +63,7 @@ pub fn search(plant: &Plant, rest: &[usize], calls: &Calls) -> Result<Option<Vec
     let most = most_trials(rest.len(), calls.period);
     let mut search = Search { calls, coordinates, phi: model.phi, blocks, trust, trials: 0, most };
     let Some(size) = Size::new(&search.blocks, &search.trust, calls.period) else { return Ok(None) };
-    let mut best: Option<(f64, Rows)> = None;
+    let mut best: Option<(f64, DMatrix<f64>)> = None;
     for (score, alike) in search.beginnings(&size) {
         let (score, alike) = search.pattern(score, alike, &size);
         if best.as_ref().is_none_or(|(least, _)| score < *least) {
@@ -81,18 +82,17 @@ fn most_trials(rest: usize, period: usize) -> usize {
 
 impl Search<'_> {
     /// The best multiples of the first L with some signs turned, the best ones of all first.
-    fn beginnings(&mut self, size: &Size) -> Vec<(f64, Rows)> {
-        let mut all: Vec<(f64, Rows)> = Vec::new();
-        for signs in 0..1_usize << size.start.len().min(MOST_SIGNS) {
+    fn beginnings(&mut self, size: &Size) -> Vec<(f64, DMatrix<f64>)> {
+        let mut all: Vec<(f64, DMatrix<f64>)> = Vec::new();
+        for signs in 0..1_usize << size.start.nrows().min(MOST_SIGNS) {
             if signs > 0 && 2 * self.trials > self.most {
                 break;
             }
             let turned = |i: usize| if i < MOST_SIGNS && signs >> i & 1 == 1 { -1.0 } else { 1.0 };
-            let mut best: Option<(f64, Rows)> = None;
+            let mut best: Option<(f64, DMatrix<f64>)> = None;
             for exponent in -SCALES..=SCALES {
                 let factor = deadbeat_math::pow_f64(2.0, f64::from(exponent));
-                let row = |(i, row): (usize, &Vec<f64>)| row.iter().map(|x| factor * turned(i) * x).collect();
-                let alike: Rows = size.start.iter().enumerate().map(row).collect();
+                let alike = size.start.map_with_location(|i, _, x| factor * turned(i) * x);
                 if let Some(score) = self.score(&size.gain_of(&alike, &self.trust), size)
                     && best.as_ref().is_none_or(|(least, _)| score < *least)
                 {
@@ -107,18 +107,18 @@ impl Search<'_> {
     }
 
     /// From there, coordinate by coordinate, with steps that are halved when none helps.
-    fn pattern(&mut self, mut score: f64, mut alike: Rows, size: &Size) -> (f64, Rows) {
+    fn pattern(&mut self, mut score: f64, mut alike: DMatrix<f64>, size: &Size) -> (f64, DMatrix<f64>) {
         let most = self.most.min(self.trials + MOST_TRIALS);
         let mut share = 1.0;
         let mut halvings = 0;
         while halvings < HALVINGS && self.trials < most {
             let before = score;
-            for i in 0..alike.len() {
-                for o in 0..alike[i].len() {
-                    let step = share * f64::max(1.0, alike[i][o].abs());
-                    for moved in [alike[i][o] + step, alike[i][o] - step] {
+            for i in 0..alike.nrows() {
+                for o in 0..alike.ncols() {
+                    let step = share * f64::max(1.0, alike[(i, o)].abs());
+                    for moved in [alike[(i, o)] + step, alike[(i, o)] - step] {
                         let mut trial = alike.clone();
-                        trial[i][o] = moved;
+                        trial[(i, o)] = moved;
                         let gain = size.gain_of(&trial, &self.trust);
                         if let Some(lower) = self.score(&gain, size).filter(|lower| *lower < score) {
                             (score, alike) = (lower, trial);
@@ -137,13 +137,13 @@ impl Search<'_> {
 
     /// The logarithm of what is made small: the geometric mean of the states' noise gains, the price of X, and,
     /// where the errors contract from reset to reset, how long an error of noise stays.
-    fn score(&mut self, l: &Rows, size: &Size) -> Option<f64> {
+    fn score(&mut self, l: &DMatrix<f64>, size: &Size) -> Option<f64> {
         self.trials += 1;
         let precision = self.phi.precision();
         let rows: Option<Vec<Vec<Real>>> =
-            l.iter().map(|row| row.iter().map(|x| Real::from_f64(*x, precision)).collect()).collect();
+            l.row_iter().map(|row| row.iter().map(|x| Real::from_f64(*x, precision)).collect()).collect();
         let rows = rows?;
-        let gain = Matrix::from_fn(l.len(), self.trust.len(), |i, o| rows[i][o].clone());
+        let gain = Matrix::from_fn(l.nrows(), self.trust.len(), |i, o| rows[i][o].clone());
         let pair = pair(&self.blocks, &gain, |m| Ok(m.powi(self.calls.period as u64))).ok()?;
         let period = self.calls.period;
         let amplification =
@@ -183,14 +183,14 @@ impl Search<'_> {
 }
 
 /// To three digits of each entry, or of the sizes where an entry is far below its own.
-fn rounded(gain: &Rows, scale: &Rows) -> (Rows, Vec<Vec<Constant>>) {
+fn rounded(gain: &DMatrix<f64>, scale: &DMatrix<f64>) -> (DMatrix<f64>, Vec<Vec<Constant>>) {
     let entry = |x: f64, scale: f64| if x.abs() < 1e-3 * scale { "0".to_owned() } else { format!("{x:.2e}") };
-    let text = |i: usize, o: usize| entry(gain[i][o], scale[i][o]);
+    let text = |i: usize, o: usize| entry(gain[(i, o)], scale[(i, o)]);
     let grid = |of: &dyn Fn(&str) -> Constant| -> Vec<Vec<Constant>> {
-        (0..gain.len()).map(|i| (0..gain[i].len()).map(|o| of(&text(i, o))).collect()).collect()
+        (0..gain.nrows()).map(|i| (0..gain.ncols()).map(|o| of(&text(i, o))).collect()).collect()
     };
     let constants = grid(&|text| Constant::from(decimal::parse(text).unwrap_or_default()));
-    let doubles = constants.iter().map(|row| row.iter().map(|c| c.to_f64().unwrap_or(0.0)).collect()).collect();
+    let doubles = gain.map_with_location(|i, o, _| constants[i][o].to_f64().unwrap_or(0.0));
     (doubles, constants)
 }
 

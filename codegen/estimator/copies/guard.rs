@@ -13,14 +13,16 @@
 //!
 //! No input and no number of calls without samples can therefore make the state non-finite.
 
+use nalgebra::{DMatrix, DVector};
+
 use crate::diagnostic::Diagnostic;
 use crate::plant::Plant;
 use crate::program::Scalar;
 use crate::sampled::settled::Settled;
 use crate::step::guard::{Guard, lost};
 
+use super::weights::both;
 use super::{Grid, Impulsive, Update};
-use crate::dense::{Rows, both, identity, product, sum};
 
 /// Bounds on what may enter the state, and on what a reset may give.
 #[derive(Debug)]
@@ -80,35 +82,29 @@ fn refuse_lost_constants(plant: &Plant, design: &Impulsive) -> Result<(), Vec<Di
 }
 
 /// Entries as doubles, absent ones as 0.
-fn doubles(grid: &Grid, cols: usize) -> Rows {
+fn doubles(grid: &Grid, cols: usize) -> DMatrix<f64> {
     let value = |entry: &Option<Settled>| entry.map_or(0.0, |entry| entry.double);
-    grid.iter().map(|row| (0..cols).map(|j| row.get(j).map_or(0.0, value)).collect()).collect()
+    DMatrix::from_fn(grid.len(), cols, |i, j| grid[i].get(j).map_or(0.0, value))
 }
 
 /// Sums of magnitudes by row.
-fn sizes(rows: &Rows) -> Vec<f64> {
-    rows.iter().map(|row| row.iter().map(|x| x.abs()).sum()).collect()
+fn sizes(matrix: &DMatrix<f64>) -> DVector<f64> {
+    matrix.abs().column_sum()
 }
 
 /// What enters an update, a column each, with the constant terms last.
-fn entering(update: &Update, outputs: usize) -> Rows {
-    let mut rows: Rows = vec![Vec::new(); update.constant.len()];
-    for grid in &update.outputs {
-        for (row, more) in rows.iter_mut().zip(doubles(grid, outputs)) {
-            row.extend(more);
-        }
-    }
-    for column in update.knowns.iter().flatten().chain(std::iter::once(&update.constant)) {
-        for (row, entry) in rows.iter_mut().zip(column) {
-            row.push(entry.map_or(0.0, |entry| entry.double));
-        }
-    }
-    rows
+fn entering(update: &Update, outputs: usize) -> DMatrix<f64> {
+    let of_outputs = update.outputs.iter().map(|grid| doubles(grid, outputs));
+    let columns = update.knowns.iter().flatten().chain(std::iter::once(&update.constant));
+    let columns = columns.map(|column| doubles(&column.iter().map(|entry| vec![*entry]).collect(), 1));
+    let parts: Vec<DMatrix<f64>> = of_outputs.chain(columns).collect();
+    let columns: Vec<_> = parts.iter().flat_map(DMatrix::column_iter).collect();
+    DMatrix::from_columns(&columns)
 }
 
 /// Bounds as multiples of b.
 struct Multiples {
-    limits: Vec<f64>,
+    limits: DVector<f64>,
     largest: f64,
 }
 
@@ -119,71 +115,53 @@ impl Multiples {
         let [into_first, into_second] = [&design.first, &design.second].map(|update| entering(update, p));
         let (reset, gain) = (doubles(&design.reset, rest), doubles(&design.gain, p));
         let initial = |i: &usize| plant.states[*i].initial.to_f64().unwrap_or(0.0).abs();
-        let starts: Vec<f64> = design.rest.iter().map(initial).collect();
+        let starts = DVector::from_iterator(rest, design.rest.iter().map(initial));
 
         // From a common start at 0: what N+1 samples give, by the copies' weights in the reset from its call back.
         let [mut kept, mut taken] = both(&reset);
-        let mut given = sizes(&product(&reset, &gain));
+        let mut given = sizes(&(&reset * &gain));
         for _ in 0..design.calls.period {
-            let weights = sum(&product(&kept, &into_first), &product(&taken, &into_second));
-            given.iter_mut().zip(sizes(&weights)).for_each(|(sum, size)| *sum += size);
-            kept = product(&kept, &first);
-            taken = product(&taken, &second);
+            given += sizes(&(&kept * &into_first + &taken * &into_second));
+            kept *= &first;
+            taken *= &second;
         }
-        given.iter_mut().zip(sizes(&product(&taken, &gain))).for_each(|(sum, size)| *sum += size);
-        let limits: Vec<f64> = given.iter().zip(&starts).map(|(given, start)| SLACK * given + start).collect();
+        given += sizes(&(&taken * &gain));
+        let limits = SLACK * given + starts;
 
         let of_gain = sizes(&gain);
-        let second_start: Vec<f64> = limits.iter().zip(&of_gain).map(|(limit, gain)| limit + gain).collect();
         let period = design.calls.period;
         let z1 = largest_over(period, &first, &into_first, &limits);
-        let z2 = largest_over(period, &second, &into_second, &second_start);
-        let through = |rows: &Rows, sizes: &[f64]| -> Vec<f64> {
-            rows.iter().map(|row| row.iter().zip(sizes).map(|(x, size)| x.abs() * size).sum()).collect()
-        };
-        let plus = |a: Vec<f64>, b: Vec<f64>| -> Vec<f64> { a.into_iter().zip(b).map(|(a, b)| a + b).collect() };
-        let difference: Vec<f64> = (0..rest).map(|i| z1[i] + z2[i] + of_gain[i]).collect();
-        let after = plus(through(&reset, &difference), z1.clone());
-        let new_second = plus(after.clone(), of_gain.clone());
+        let z2 = largest_over(period, &second, &into_second, &(&limits + &of_gain));
+        let difference = &z1 + &z2 + &of_gain;
+        let after = reset.abs() * &difference + &z1;
+        let new_second = &after + &of_gain;
         // A prediction guesses the signals' newest values from up to three before: at most 7 of them.
         let predictor = &design.predictor;
-        let predicted = plus(
-            through(&doubles(&predictor.copy, rest), &z1),
-            sizes(&entering(predictor, p)).into_iter().map(|x| 8.0 * x).collect(),
-        );
-        let updates = plus(through(&first, &z1), sizes(&into_first)).into_iter();
-        let updates = updates.chain(plus(through(&second, &z2), sizes(&into_second)));
+        let predicted = doubles(&predictor.copy, rest).abs() * &z1 + 8.0 * sizes(&entering(predictor, p));
+        let of_first = first.abs() * &z1 + sizes(&into_first);
+        let of_second = second.abs() * &z2 + sizes(&into_second);
         let n = plant.states.len();
-        let estimate: Vec<f64> = doubles(&design.back, n)
-            .iter()
-            .map(|row| {
-                row.iter()
-                    .enumerate()
-                    .map(|(j, x)| x.abs() * if j < p { 1.0 } else { z1[j - p].max(after[j - p]) })
-                    .sum()
-            })
-            .collect();
+        let carried = DVector::from_fn(n, |j, _| if j < p { 1.0 } else { z1[j - p].max(after[j - p]) });
+        let estimate = doubles(&design.back, n).abs() * carried;
         let measured =
             |s: &crate::plant::State| -> f64 { s.measured.iter().map(|(_, w)| w.to_f64().unwrap_or(0.0).abs()).sum() };
         let shown = plant.states.iter().map(measured);
-        let all = updates.chain(predicted).chain(difference).chain(new_second).chain(estimate).chain(shown);
+        let all = [of_first, of_second, predicted, difference, new_second, estimate];
+        let all = all.iter().flat_map(DVector::iter).copied().chain(shown);
         let largest = all.fold(1.0, |largest: f64, x| if x.is_finite() { largest.max(x) } else { f64::INFINITY });
         Self { limits, largest }
     }
 }
 
 /// The largest magnitudes of a copy over a period, for what enters at most 1.
-fn largest_over(period: usize, copy: &Rows, entering: &Rows, start: &[f64]) -> Vec<f64> {
-    let mut power = identity(copy.len());
-    let mut entered = vec![0.0; copy.len()];
-    let mut largest = start.to_vec();
+fn largest_over(period: usize, copy: &DMatrix<f64>, entering: &DMatrix<f64>, start: &DVector<f64>) -> DVector<f64> {
+    let mut power = DMatrix::identity(copy.nrows(), copy.nrows());
+    let mut entered = DVector::zeros(copy.nrows());
+    let mut largest = start.clone();
     for _ in 0..period {
-        entered.iter_mut().zip(sizes(&product(&power, entering))).for_each(|(sum, size)| *sum += size);
-        power = product(&power, copy);
-        for (i, row) in power.iter().enumerate() {
-            let carried: f64 = row.iter().zip(start).map(|(x, start)| x.abs() * start).sum();
-            largest[i] = largest[i].max(carried + entered[i]);
-        }
+        entered += sizes(&(&power * entering));
+        power *= copy;
+        largest.zip_apply(&(power.abs() * start + &entered), |largest, x| *largest = largest.max(x));
     }
     largest
 }

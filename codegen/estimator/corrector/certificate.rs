@@ -7,12 +7,14 @@
 //! above by what is so bounded (prescribed-time-observers, section 6, has exact ones for 003's example; the tests
 //! compare).
 
+use nalgebra::DMatrix;
+
 use super::errors::{Errors, Remaining, Sums};
-use crate::dense::{Rows as Dense, add, frobenius, identity, product};
 use crate::numbers::count;
 use crate::plant::Plant;
 use crate::promise::Certificate;
 use crate::promise::kernel::{Kernel, slope};
+use crate::real::rows;
 use crate::sampled::Source;
 
 /// What may be left of a transition when the sums over the past count as complete.
@@ -36,15 +38,14 @@ impl Errors<'_> {
         };
         let worst = worst.scaled(SLACK);
         let infinite = || vec![vec![f64::INFINITY; self.plant.disturbances.len()]; self.order()];
-        let disturbance_gain_l1 = if kernel.is_some() { worst.disturbances.clone() } else { infinite() };
+        let disturbance_gain_l1 = if kernel.is_some() { rows(&worst.disturbances) } else { infinite() };
         let error_bound = (0..self.order()).map(|i| self.bound(&worst, &disturbance_gain_l1, i)).collect();
-        let roots = |row: &Vec<f64>| row.iter().map(|x| x.sqrt()).collect();
         Certificate {
-            noise_gain_l2: worst.squares.iter().map(roots).collect(),
-            noise_gain_l1: worst.noise,
+            noise_gain_l2: rows(&worst.squares.map(f64::sqrt)),
+            noise_gain_l1: rows(&worst.noise),
             disturbance_gain_l1,
             error_bound,
-            initial_gain: remaining.by_state.clone(),
+            initial_gain: rows(&remaining.by_state),
         }
     }
 
@@ -74,16 +75,16 @@ impl Errors<'_> {
     fn ending(&self, place: usize, valid: usize, kernel: Option<&Kernel>, spent: &mut f64) -> Option<Sums> {
         let length = self.cycle.len();
         let (mut recent, mut rows) = (Sums::new(self.plant, self.signals.len()), self.back.clone());
-        let mut begun = vec![vec![0.0; self.signals.len()]; self.order()];
-        let mut transition = identity(self.order());
+        let mut begun = DMatrix::zeros(self.order(), self.signals.len());
+        let mut transition = self.identity();
         let mut worst = recent.clone();
         let mut past = 0;
-        while past < valid || frobenius(&transition) > COMPLETE || past % length != place {
+        while past < valid || transition.norm() > COMPLETE || past % length != place {
             // The call that lies so far back, by its place in the first cycle.
             let call = 1 + (place + length - 1 - past % length) % length;
             past += 1;
             rows = self.enter(&mut recent, &rows, &mut begun, call, kernel);
-            transition = product(&transition, &self.transition(call));
+            transition *= self.transition(call);
             if past >= valid && past % length == place {
                 let mut all = recent.clone();
                 self.finish(&mut all, &rows, &begun, true);
@@ -102,25 +103,25 @@ impl Errors<'_> {
         let step = self.transition(valid + 1);
         let (at_valid, _) = self.at(valid, valid, kernel);
         let mut worst = at_valid.clone();
-        let (mut transition, mut spent, mut exactly) = (identity(self.order()), 0.0, valid);
+        let (mut transition, mut spent, mut exactly) = (self.identity(), 0.0, valid);
         // Exactly, until little is left of what was before V.
-        while frobenius(&transition) > SMALL && spent < MOST_WORK {
+        while transition.norm() > SMALL && spent < MOST_WORK {
             exactly += 1;
-            transition = product(&transition, &step);
+            transition *= &step;
             worst.raise(&self.at(exactly, exactly, kernel).0);
             spent += count(exactly) * self.work();
         }
         // From there on, what was before V as a bound.
         let (mut recent, mut rows) = (Sums::new(self.plant, self.signals.len()), self.back.clone());
-        let mut begun = vec![vec![0.0; self.signals.len()]; self.order()];
-        transition = identity(self.order());
+        let mut begun = DMatrix::zeros(self.order(), self.signals.len());
+        transition = self.identity();
         let mut call = valid;
-        while frobenius(&transition) > COMPLETE {
+        while transition.norm() > COMPLETE {
             call += 1;
             rows = self.enter(&mut recent, &rows, &mut begun, valid + 1, kernel);
-            transition = product(&transition, &step);
+            transition *= &step;
             if call > exactly {
-                let mut all = at_valid.carried(&product(&product(&self.back, &transition), &self.to));
+                let mut all = at_valid.carried(&(&self.back * &transition * &self.to));
                 all.add(&recent);
                 // A signal's value at V also begins the first interval after it.
                 self.finish(&mut all, &rows, &begun, false);
@@ -148,7 +149,7 @@ impl Errors<'_> {
             worst.raise(&self.at(valid + k, valid + k, kernel).0);
             // What lies further back than the round before stands in the bound of a round's end.
             let (mut sums, rows) = self.at(valid + 2 * length + k, length + k, kernel);
-            sums.add(&end.carried(&product(&rows, &self.to)));
+            sums.add(&end.carried(&(rows * &self.to)));
             worst.raise(&sums);
         }
         worst
@@ -164,7 +165,7 @@ impl Errors<'_> {
     fn rounds_end(&self, valid: usize, rounds: usize, kernel: Option<&Kernel>) -> Option<Sums> {
         let length = self.cycle.len();
         let (round, rows) = self.at(valid + (rounds + 1) * length, rounds * length, kernel);
-        let around = product(&rows, &self.to);
+        let around = rows * &self.to;
         let mut end = self.at(valid, valid, kernel).0;
         for k in 1..rounds {
             end.raise(&self.at(valid + k * length, valid + k * length, kernel).0);
@@ -180,14 +181,14 @@ impl Errors<'_> {
         None
     }
 
-    fn bound(&self, worst: &Sums, disturbances: &Dense, state: usize) -> Option<f64> {
+    fn bound(&self, worst: &Sums, disturbances: &[Vec<f64>], state: usize) -> Option<f64> {
         let mut bound = 0.0;
         for (o, output) in self.plant.outputs.iter().enumerate() {
             let level = output.noise.as_ref()?.to_f64().ok()?;
-            bound += worst.noise[state][o] * level;
+            bound += worst.noise[(state, o)] * level;
             for (s, signal) in self.signals.iter().enumerate() {
                 if let Source::Injection(k) = signal.source {
-                    bound += worst.signals[state][s] * slope(self.plant, k, o)? * level;
+                    bound += worst.signals[(state, s)] * slope(self.plant, k, o)? * level;
                 }
             }
         }
@@ -203,46 +204,44 @@ impl Sums {
         Self::new(plant, signals).map(|_| f64::INFINITY)
     }
 
-    fn parts(&self) -> [&Dense; 4] {
+    fn parts(&self) -> [&DMatrix<f64>; 4] {
         [&self.noise, &self.squares, &self.disturbances, &self.signals]
     }
 
-    fn parts_mut(&mut self) -> [&mut Dense; 4] {
+    fn parts_mut(&mut self) -> [&mut DMatrix<f64>; 4] {
         [&mut self.noise, &mut self.squares, &mut self.disturbances, &mut self.signals]
     }
 
     fn map(mut self, change: impl Fn(f64) -> f64) -> Self {
-        self.parts_mut().into_iter().flatten().flatten().for_each(|entry| *entry = change(*entry));
+        self.parts_mut().into_iter().flatten().for_each(|entry| *entry = change(*entry));
         self
     }
 
     /// What a transition makes of them at most; of deviations that are added as if they were of one cause.
-    fn carried(&self, transition: &Dense) -> Self {
-        let magnitudes: Dense = transition.iter().map(|row| row.iter().map(|x| x.abs()).collect()).collect();
-        let [noise, _, disturbances, signals] = self.parts().map(|part| product(&magnitudes, part));
-        let deviations: Dense = self.squares.iter().map(|row| row.iter().map(|x| x.sqrt()).collect()).collect();
-        let squares = product(&magnitudes, &deviations).iter().map(|row| row.iter().map(|x| x * x).collect()).collect();
+    fn carried(&self, transition: &DMatrix<f64>) -> Self {
+        let magnitudes = transition.abs();
+        let [noise, _, disturbances, signals] = self.parts().map(|part| &magnitudes * part);
+        let squares = (&magnitudes * self.squares.map(f64::sqrt)).map(|x| x * x);
         Self { noise, squares, disturbances, signals }
     }
 
     fn add(&mut self, other: &Self) {
         for (mine, theirs) in self.parts_mut().into_iter().zip(other.parts()) {
-            add(mine, theirs);
+            *mine += theirs;
         }
     }
 
     /// The larger of both, entry by entry.
     fn raise(&mut self, other: &Self) {
         for (mine, theirs) in self.parts_mut().into_iter().zip(other.parts()) {
-            let entries = mine.iter_mut().flatten().zip(theirs.iter().flatten());
-            entries.for_each(|(mine, theirs)| *mine = mine.max(*theirs));
+            mine.zip_apply(theirs, |mine, theirs| *mine = mine.max(theirs));
         }
     }
 
     /// Whether an entry is larger, beyond rounding.
     fn exceeds(&self, other: &Self) -> bool {
         let pairs = self.parts().into_iter().zip(other.parts());
-        pairs.flat_map(|(a, b)| a.iter().flatten().zip(b.iter().flatten())).any(|(a, b)| *a > *b * (1.0 + 1e-10))
+        pairs.flat_map(|(a, b)| a.iter().zip(b)).any(|(a, b)| *a > *b * (1.0 + 1e-10))
     }
 
     fn scaled(self, factor: f64) -> Self {

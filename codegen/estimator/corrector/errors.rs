@@ -6,9 +6,10 @@
 //! the outputs over the next n calls: there the step itself is well scaled, whatever the units. What is left of an
 //! initial error is measured over all calls until the promised one.
 
+use nalgebra::{DMatrix, DVector};
+
 use super::exact::Exact;
 use super::schedule::Schedule;
-use crate::dense::{Rows as Dense, add_magnitudes, dot, frobenius, identity, orthonormalised, product};
 use crate::plant::Plant;
 use crate::promise::CONTRACTED;
 use crate::promise::kernel::Kernel;
@@ -28,18 +29,18 @@ pub struct Errors<'a> {
     pub(super) plant: &'a Plant,
     pub(super) signals: &'a [Signal],
     /// Coordinates from states and states from coordinates, n x n.
-    pub(super) to: Dense,
-    pub(super) back: Dense,
+    pub(super) to: DMatrix<f64>,
+    pub(super) back: DMatrix<f64>,
     /// Coordinates of the size over all calls from these, and states from those; n x n.
-    far: Dense,
-    far_to: Dense,
-    phi: Dense,
-    c: Dense,
+    far: DMatrix<f64>,
+    far_to: DMatrix<f64>,
+    phi: DMatrix<f64>,
+    c: DMatrix<f64>,
     /// Per signal: its effects at the beginning and at the end of an interval, n x 1, in states.
-    effects: Vec<[Vec<f64>; 2]>,
+    effects: Vec<[DVector<f64>; 2]>,
     /// K, n x p, of the calls after the first sample, and of those that follow, over and over; in the coordinates.
-    lead: Vec<Dense>,
-    pub(super) cycle: Vec<Dense>,
+    lead: Vec<DMatrix<f64>>,
+    pub(super) cycle: Vec<DMatrix<f64>>,
 }
 
 /// What is left of an initial error at a call.
@@ -48,25 +49,25 @@ pub struct Remaining {
     /// Of the worst initial error of the states that the first sample does not show, in size; at that call or later.
     pub share: f64,
     /// Per state, per initial error of a state.
-    pub by_state: Dense,
+    pub by_state: DMatrix<f64>,
 }
 
 /// Sums of magnitudes, per state.
 #[derive(Clone, Debug)]
 pub(super) struct Sums {
     /// Per output.
-    pub(super) noise: Dense,
+    pub(super) noise: DMatrix<f64>,
     /// Per output, of squares.
-    pub(super) squares: Dense,
+    pub(super) squares: DMatrix<f64>,
     /// Per disturbance.
-    pub(super) disturbances: Dense,
+    pub(super) disturbances: DMatrix<f64>,
     /// Per signal.
-    pub(super) signals: Dense,
+    pub(super) signals: DMatrix<f64>,
 }
 
 impl Sums {
     pub(super) fn new(plant: &Plant, signals: usize) -> Self {
-        let zeros = |columns: usize| vec![vec![0.0; columns]; plant.states.len()];
+        let zeros = |columns: usize| DMatrix::zeros(plant.states.len(), columns);
         let p = plant.outputs.len();
         Self {
             noise: zeros(p),
@@ -76,9 +77,9 @@ impl Sums {
         }
     }
 
-    fn add_noise(&mut self, gains: &Dense) {
-        add_magnitudes(&mut self.noise, gains);
-        self.squares.iter_mut().flatten().zip(gains.iter().flatten()).for_each(|(sum, gain)| *sum += gain * gain);
+    fn add_noise(&mut self, gains: &DMatrix<f64>) {
+        self.noise += gains.abs();
+        self.squares += gains.component_mul(gains);
     }
 }
 
@@ -90,36 +91,41 @@ impl<'a> Errors<'a> {
         let (to, back) = coordinates(&model.phi, &model.c, n)?;
         let (far, far_back) = coordinates(&model.phi, &model.c, schedule.lead.len().max(n))?;
         let effect = |part: &Option<Matrix>| match part {
-            Some(column) => column.iter().map(Real::to_f64).collect(),
-            None => vec![0.0; n],
+            Some(column) => DVector::from_iterator(n, column.iter().map(Real::to_f64)),
+            None => DVector::zeros(n),
         };
         let effects = model.effects.iter().map(|e| [effect(&e.at_begin), effect(&e.at_end)]).collect();
-        let phi = (&(&to * &model.phi) * &back).to_f64();
-        let c = (&model.c * &back).to_f64();
-        let (far, far_to) = ((&far * &back).to_f64(), (&to * &far_back).to_f64());
-        let (to, back) = (to.to_f64(), back.to_f64());
-        let of = |gains: &[Dense]| gains.iter().map(|gain| product(&to, gain)).collect();
+        let phi = (&(&to * &model.phi) * &back).doubles();
+        let c = (&model.c * &back).doubles();
+        let (far, far_to) = ((&far * &back).doubles(), (&to * &far_back).doubles());
+        let (to, back) = (to.doubles(), back.doubles());
+        let of = |gains: &[DMatrix<f64>]| gains.iter().map(|gain| &to * gain).collect();
         let (lead, cycle) = (of(&schedule.lead), of(&schedule.cycle));
         Some(Self { plant, signals, to, back, far, far_to, phi, c, effects, lead, cycle })
     }
 
     /// n.
     pub(super) fn order(&self) -> usize {
-        self.phi.len()
+        self.phi.nrows()
+    }
+
+    /// The transition over no call.
+    pub(super) fn identity(&self) -> DMatrix<f64> {
+        DMatrix::identity(self.order(), self.order())
     }
 
     /// What is left of an initial error at a call.
     pub fn remaining(&self, call: usize) -> Remaining {
-        let mut transition = identity(self.order());
+        let mut transition = self.identity();
         for k in 1..=call {
-            transition = product(&self.transition(k), &transition);
+            transition = self.transition(k) * transition;
         }
         let mut remaining = self.left(&transition);
         // A slower gain afterwards may let it rise again before it falls.
         let most = MOST_RECOVERY / self.order().pow(3);
         let mut fallen = 0;
         for k in call + 1..=call + most {
-            transition = product(&self.transition(k), &transition);
+            transition = self.transition(k) * transition;
             let share = self.left(&transition).share;
             remaining.share = remaining.share.max(share);
             fallen = if share <= 0.5 * remaining.share { fallen + 1 } else { 0 };
@@ -132,10 +138,10 @@ impl<'a> Errors<'a> {
 
     /// The first call at which at most this share is left; `None` when there is none among so many.
     pub fn reaches(&self, share: f64, most: usize) -> Option<usize> {
-        let mut transition = identity(self.order());
+        let mut transition = self.identity();
         for call in 0..=most {
             if call > 0 {
-                transition = product(&self.transition(call), &transition);
+                transition = self.transition(call) * transition;
             }
             if self.left(&transition).share <= share {
                 return Some(call);
@@ -157,41 +163,40 @@ impl<'a> Errors<'a> {
     /// Calls after one that leave no more than a share of any error.
     fn recovered(&self, from: usize, share: f64) -> usize {
         let most = MOST_RECOVERY / self.order().pow(3) / self.cycle.len().min(MOST_PLACES);
-        let mut transition = identity(self.order());
+        let mut transition = self.identity();
         for call in 1..=most {
-            transition = product(&self.transition(from + call), &transition);
-            if frobenius(&product(&product(&self.far, &transition), &self.far_to)) <= share {
+            transition = self.transition(from + call) * transition;
+            if (&self.far * &transition * &self.far_to).norm() <= share {
                 return call;
             }
         }
         most.max(1)
     }
 
-    fn left(&self, transition: &Dense) -> Remaining {
-        let by_state = product(&product(&self.back, transition), &self.to);
+    fn left(&self, transition: &DMatrix<f64>) -> Remaining {
+        let by_state = &self.back * transition * &self.to;
         let hidden: Vec<usize> = (0..self.order()).filter(|i| self.plant.states[*i].measured.is_empty()).collect();
         if hidden.is_empty() {
             return Remaining { share: 0.0, by_state };
         }
         // Errors of these states alone, by their size over all calls.
-        let columns: Dense =
-            product(&self.far, &self.to).iter().map(|row| hidden.iter().map(|j| row[*j]).collect()).collect();
-        let far = product(&product(&self.far, transition), &self.far_to);
-        Remaining { share: frobenius(&product(&far, &orthonormalised(&columns))), by_state }
+        let mut columns = (&self.far * &self.to).select_columns(&hidden);
+        // Squares of what is far below one would vanish.
+        columns.column_iter_mut().for_each(|mut column| column /= column.amax().max(f64::MIN_POSITIVE));
+        let share = (&self.far * transition * &self.far_to * columns.qr().q()).norm();
+        Remaining { share, by_state }
     }
 
     /// The spectral radius of the last gain's transition, or of a whole cycle's.
     pub fn radius(&self) -> f64 {
         let calls = self.lead.len() + 1..=self.lead.len() + self.cycle.len();
         let first = self.transition(*calls.start());
-        let step = calls.skip(1).fold(first, |step, call| product(&self.transition(call), &step));
-        let n = step.len();
-        let matrix = nalgebra::DMatrix::from_fn(n, n, |i, j| step[i][j]);
-        matrix.complex_eigenvalues().iter().map(|z| (z.re * z.re + z.im * z.im).sqrt()).fold(0.0, f64::max)
+        let step = calls.skip(1).fold(first, |step, call| self.transition(call) * step);
+        step.complex_eigenvalues().iter().map(|z| (z.re * z.re + z.im * z.im).sqrt()).fold(0.0, f64::max)
     }
 
     /// The gain of a call, from 1.
-    pub(super) fn gain(&self, call: usize) -> &Dense {
+    pub(super) fn gain(&self, call: usize) -> &DMatrix<f64> {
         match self.lead.get(call - 1) {
             Some(gain) => gain,
             None => &self.cycle[(call - 1 - self.lead.len()) % self.cycle.len()],
@@ -199,19 +204,13 @@ impl<'a> Errors<'a> {
     }
 
     /// I - K C of a call.
-    fn correction(&self, call: usize) -> Dense {
-        let mut correction = identity(self.order());
-        for (row, gain) in correction.iter_mut().zip(self.gain(call)) {
-            for (j, entry) in row.iter_mut().enumerate() {
-                *entry -= gain.iter().zip(&self.c).map(|(gain, c)| gain * c[j]).sum::<f64>();
-            }
-        }
-        correction
+    fn correction(&self, call: usize) -> DMatrix<f64> {
+        self.identity() - self.gain(call) * &self.c
     }
 
     /// (I - K C) Phi of a call.
-    pub(super) fn transition(&self, call: usize) -> Dense {
-        product(&self.correction(call), &self.phi)
+    pub(super) fn transition(&self, call: usize) -> DMatrix<f64> {
+        self.correction(call) * &self.phi
     }
 
     /// Adds what entered at a call for rows that lead from its estimate to what is asked for; gives the rows that lead
@@ -219,32 +218,32 @@ impl<'a> Errors<'a> {
     pub(super) fn enter(
         &self,
         sums: &mut Sums,
-        rows: &Dense,
-        begun: &mut Dense,
+        rows: &DMatrix<f64>,
+        begun: &mut DMatrix<f64>,
         call: usize,
         kernel: Option<&Kernel>,
-    ) -> Dense {
-        sums.add_noise(&product(rows, self.gain(call)));
-        let rows = product(rows, &self.correction(call));
-        let acc = product(&rows, &self.to);
+    ) -> DMatrix<f64> {
+        sums.add_noise(&(rows * self.gain(call)));
+        let rows = rows * self.correction(call);
+        let acc = &rows * &self.to;
         if let Some(kernel) = kernel {
             kernel.add(&acc, &mut sums.disturbances);
         }
         for (s, [begin, end]) in self.effects.iter().enumerate() {
-            for (i, row) in acc.iter().enumerate() {
-                sums.signals[i][s] += (begun[i][s] + dot(row, end)).abs();
-                begun[i][s] = dot(row, begin);
-            }
+            let both = begun.column(s) + &acc * end;
+            let mut sum = sums.signals.column_mut(s);
+            sum += both.abs();
+            begun.set_column(s, &(&acc * begin));
         }
-        product(&rows, &self.phi)
+        rows * &self.phi
     }
 
     /// Sums of magnitudes in the estimate of a call over what entered in the last `calls` of them; with the first
     /// sample, where that is all. Also the rows that lead from what was before.
-    pub(super) fn at(&self, call: usize, calls: usize, kernel: Option<&Kernel>) -> (Sums, Dense) {
+    pub(super) fn at(&self, call: usize, calls: usize, kernel: Option<&Kernel>) -> (Sums, DMatrix<f64>) {
         let mut sums = Sums::new(self.plant, self.signals.len());
         let mut rows = self.back.clone();
-        let mut begun: Dense = vec![vec![0.0; self.signals.len()]; rows.len()];
+        let mut begun = DMatrix::zeros(self.order(), self.signals.len());
         for k in (call + 1 - calls..=call).rev() {
             rows = self.enter(&mut sums, &rows, &mut begun, k, kernel);
         }
@@ -253,10 +252,10 @@ impl<'a> Errors<'a> {
     }
 
     /// Adds what the oldest interval's signals began, and the first sample where it is the one before.
-    pub(super) fn finish(&self, sums: &mut Sums, rows: &Dense, begun: &Dense, started: bool) {
-        add_magnitudes(&mut sums.signals, begun);
+    pub(super) fn finish(&self, sums: &mut Sums, rows: &DMatrix<f64>, begun: &DMatrix<f64>, started: bool) {
+        sums.signals += begun.abs();
         if started {
-            sums.add_noise(&product(&product(rows, &self.to), &self.starts()));
+            sums.add_noise(&(rows * &self.to * self.starts()));
         }
     }
 
@@ -264,7 +263,7 @@ impl<'a> Errors<'a> {
     pub(super) fn is_constant(&self) -> bool {
         let length = self.cycle.len();
         let turned = self.lead.iter().rev().zip(self.cycle.iter().rev().cycle());
-        let column = |o: usize| self.cycle.iter().map(move |gain| gain.iter().map(|row| row[o]).collect::<Vec<f64>>());
+        let column = |o: usize| self.cycle.iter().map(move |gain| gain.column(o));
         let one = |o: usize| {
             let mut due = column(o).filter(|column| column.iter().any(|entry| *entry != 0.0));
             let first = due.next();
@@ -274,14 +273,12 @@ impl<'a> Errors<'a> {
     }
 
     /// The weights of the first sample in the state at the start, n x p.
-    fn starts(&self) -> Dense {
-        let p = self.plant.outputs.len();
-        let row = |state: &crate::plant::State| {
-            let mut row = vec![0.0; p];
-            state.measured.iter().for_each(|(o, weight)| row[*o] = weight.to_f64().unwrap_or(0.0));
-            row
-        };
-        self.plant.states.iter().map(row).collect()
+    fn starts(&self) -> DMatrix<f64> {
+        let mut starts = DMatrix::zeros(self.order(), self.plant.outputs.len());
+        for (i, state) in self.plant.states.iter().enumerate() {
+            state.measured.iter().for_each(|(o, weight)| starts[(i, *o)] = weight.to_f64().unwrap_or(0.0));
+        }
+        starts
     }
 }
 

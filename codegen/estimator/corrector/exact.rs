@@ -1,5 +1,7 @@
 //! The observer at one precision.
 
+use nalgebra::DMatrix;
+
 use super::chain::Chain;
 use super::law::Rows;
 use super::sliding::ExactSliding;
@@ -50,22 +52,18 @@ impl Law {
     }
 
     /// K of a call with `left` steps left, of call `lead - left`, or of that place of a cycle; in doubles.
-    pub fn gain(&self, exact: &Exact, counting: Counting, left: usize) -> Vec<Vec<f64>> {
+    pub fn gain(&self, exact: &Exact, counting: Counting, left: usize) -> DMatrix<f64> {
         let spread = |kappa: &[f64]| {
             let chain = exact.chain.as_ref().unwrap_or_else(|| unreachable!("a law of the chain has one"));
-            let (m, q) = (chain.m.to_f64(), chain.q.to_f64());
-            let entry = |(row, q): (&Vec<f64>, &Vec<f64>)| {
-                vec![row.iter().zip(kappa).map(|(m, kappa)| m * kappa).sum::<f64>() + q[0]]
-            };
-            m.iter().zip(&q).map(entry).collect()
+            chain.m.doubles() * DMatrix::from_column_slice(kappa.len(), 1, kappa) + chain.q.doubles()
         };
         match self {
-            Self::Constant(gain) => gain.to_f64(),
+            Self::Constant(gain) => gain.doubles(),
             // Up to an innovation of c_n, which is what the certificate is of; `sliding::Backward` has the rest.
             Self::Sliding(law) => spread(&vec![1.0; law.ratios.len() + 1]),
             Self::Kappa(kappa) => spread(&kappa.iter().map(Real::to_f64).collect::<Vec<_>>()),
-            Self::Periodic(rows) => rows[left % rows.len()].to_f64(),
-            Self::Table(rows) => rows[(counting.steps - left).max(1) - 1].to_f64(),
+            Self::Periodic(rows) => rows[left % rows.len()].doubles(),
+            Self::Table(rows) => rows[(counting.steps - left).max(1) - 1].doubles(),
             Self::Countdown(rows) => {
                 let rows: Vec<Vec<f64>> = rows.iter().map(|row| row.iter().map(Real::to_f64).collect()).collect();
                 spread(&super::law::kappa(&rows, crate::numbers::count(left)))

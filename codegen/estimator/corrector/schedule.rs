@@ -1,17 +1,18 @@
 //! The gain of every call, in doubles: for what is promised, not for what is computed.
 
+use nalgebra::DMatrix;
+
 use super::exact::{Exact, Law};
 use super::{After, Counting, interval};
-use crate::dense::Rows as Dense;
 use crate::plant::Plant;
 
 /// K, n x p, of every call after the first sample.
 #[derive(Clone, Debug)]
 pub struct Schedule {
     /// Of calls 1, 2, … until the promised one.
-    pub lead: Vec<Dense>,
+    pub lead: Vec<DMatrix<f64>>,
     /// Of the calls after it, over and over.
-    pub cycle: Vec<Dense>,
+    pub cycle: Vec<DMatrix<f64>>,
 }
 
 impl Schedule {
@@ -36,7 +37,7 @@ impl Schedule {
                 Some(gain) => gain,
                 None => &self.cycle[(sample - 1 - self.lead.len()) % self.cycle.len()],
             };
-            if call % calls == 0 { gain.clone() } else { gain.iter().map(|row| vec![0.0; row.len()]).collect() }
+            if call % calls == 0 { gain.clone() } else { DMatrix::zeros(gain.nrows(), gain.ncols()) }
         };
         let cycle = (valid + 1..=valid + calls * self.cycle.len()).map(of).collect();
         Self { lead: (1..=valid).map(of).collect(), cycle }
@@ -54,9 +55,9 @@ impl Schedule {
             let constant = of(counting.stop);
             return Self { lead: vec![constant.clone(); valid], cycle: vec![constant] };
         }
-        let lead: Vec<Dense> = (counting.stop..counting.steps).rev().map(of).collect();
+        let lead: Vec<DMatrix<f64>> = (counting.stop..counting.steps).rev().map(of).collect();
         let cycle = match (counting.after, &exact.handover) {
-            (After::Handover, Some(gain)) => vec![gain.to_f64()],
+            (After::Handover, Some(gain)) => vec![gain.doubles()],
             (After::Restart, _) => (counting.stop..=counting.steps).rev().map(of).collect(),
             _ => vec![of(counting.stop)],
         };

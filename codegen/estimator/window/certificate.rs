@@ -6,10 +6,12 @@
 //! injections, by their slopes over the declared ranges. What none of this covers is the straight
 //! line between samples: its error is of second order in the sample time.
 
+use nalgebra::DMatrix;
+
 use crate::plant::Plant;
 use crate::promise::Certificate;
 use crate::promise::kernel::{Kernel, slope};
-use crate::real::Matrix;
+use crate::real::{Matrix, rows};
 
 use super::Functional;
 use super::realize::ages::AtAge;
@@ -44,11 +46,12 @@ pub fn certify_ages(plant: &Plant, functional: &Functional, ages: impl Iterator<
         initial_gain: Vec::new(),
     };
     for age in ages {
-        let mut disturbed = vec![vec![if kernel.is_some() { 0.0 } else { f64::INFINITY }; d]; n];
+        let mut disturbed = DMatrix::from_element(n, d, if kernel.is_some() { 0.0 } else { f64::INFINITY });
         if let Some(kernel) = &kernel {
-            age.accumulated.iter().for_each(|acc| kernel.add(acc, &mut disturbed));
+            let of = |acc: &Vec<Vec<f64>>| DMatrix::from_fn(n, n, |i, j| acc[i][j]);
+            age.accumulated.iter().for_each(|acc| kernel.add(&of(acc), &mut disturbed));
         }
-        for (i, disturbed) in disturbed.iter().enumerate() {
+        for (i, disturbed) in rows(&disturbed).iter().enumerate() {
             let noise: Vec<f64> = age.outputs[i].iter().map(|(sum, _)| *sum).collect();
             for (o, (sum, squares)) in age.outputs[i].iter().enumerate() {
                 worst.noise_gain_l1[i][o] = worst.noise_gain_l1[i][o].max(*sum);
@@ -95,13 +98,13 @@ pub fn disturbance_gains(plant: &Plant, accumulated: &[Matrix]) -> Vec<Vec<f64>>
     let Some(kernel) = Kernel::new(plant) else {
         return vec![vec![f64::INFINITY; plant.disturbances.len()]; n];
     };
-    let mut gains = vec![vec![0.0; plant.disturbances.len()]; n];
-    let matrices: Vec<Vec<Vec<f64>>> = accumulated.iter().map(Matrix::to_f64).collect();
+    let mut gains = DMatrix::zeros(n, plant.disturbances.len());
+    let matrices: Vec<DMatrix<f64>> = accumulated.iter().map(Matrix::doubles).collect();
     // What is zero in exact arithmetic is left at about 1e-150 of the rest by 512 bits.
-    let floor = matrices.iter().flatten().flatten().fold(0.0_f64, |largest, x| largest.max(x.abs())) * 1e-100;
+    let floor = matrices.iter().flatten().fold(0.0_f64, |largest, x| largest.max(x.abs())) * 1e-100;
     for mut acc in matrices {
-        acc.iter_mut().flatten().filter(|x| x.abs() < floor).for_each(|x| *x = 0.0);
+        acc.iter_mut().filter(|x| x.abs() < floor).for_each(|x| *x = 0.0);
         kernel.add(&acc, &mut gains);
     }
-    gains
+    rows(&gains)
 }

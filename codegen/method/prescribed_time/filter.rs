@@ -241,15 +241,15 @@ pub(crate) fn notes(
     let Ok(white) = noise.at(plant, p) else { return Vec::new() };
     let (phi, c) = (built.exact.model.phi.with_precision(p), built.exact.model.c.with_precision(p));
     let noisy = Noisy {
-        phi: phi.to_f64(),
-        c: c.to_f64(),
-        process: white.process.to_f64(),
-        measurement: white.measurement.to_f64(),
+        phi: phi.doubles(),
+        c: c.doubles(),
+        process: white.process.doubles(),
+        measurement: white.measurement.doubles(),
     };
     let zeros = vec![Real::zero(p); plant.states.len()];
     let start =
         law.map_or_else(|| first_covariance(&readout(plant, p), &zeros, &white), |law| law.start(plant, &white, p));
-    let ours = noisy.deviations(start.to_f64(), &built.schedule);
+    let ours = noisy.deviations(start.doubles(), &built.schedule);
     let mut notes = noise.notes(plant);
     let linear = if plant.injections.is_empty() { "" } else { ", without what it does through nonlinear terms" };
     notes.push(format!(
@@ -270,9 +270,9 @@ pub(crate) fn notes(
     let unknown: Vec<Real> = (0..plant.states.len()).map(unknown).collect();
     let start = first_covariance(&readout(plant, p), &unknown, &white);
     let Ok(gains) = transient(&phi, &c, &white, &start, lead / calls) else { return notes };
-    let table = Schedule { lead: gains.iter().map(Matrix::to_f64).collect(), cycle: vec![filter.gain.to_f64()] };
+    let table = Schedule { lead: gains.iter().map(Matrix::doubles).collect(), cycle: vec![filter.gain.doubles()] };
     let table = table.between(calls, lead);
-    let theirs = noisy.deviations(start.to_f64(), &table);
+    let theirs = noisy.deviations(start.doubles(), &table);
     if is_better(&theirs, &ours) {
         notes.push(format!(
             "{alternative}, handed over, leaves less of this noise: {} (from initial errors up to {UNKNOWN} times these)",

@@ -11,7 +11,8 @@
 //! and is 0 up to `c_n`. Nothing older enters: n innovations within a bound are a bound on the error, whatever was
 //! before. The sums over v and d are those of the corrector's certificate for the constant gain K.
 
-use crate::dense::{Rows, add_magnitudes, dot, transposed};
+use nalgebra::{DMatrix, DVector};
+
 use crate::expr::Constant;
 use crate::plant::{Disturbance, Plant};
 use crate::real::{Matrix, Precision, Real, zero_order_hold};
@@ -20,11 +21,11 @@ use crate::real::{Matrix, Precision, Real, zero_order_hold};
 #[derive(Clone, Debug)]
 pub struct Backward {
     /// n x n: of the error, per unit of the shortfall of each `S_j`.
-    shortfall: Rows,
+    shortfall: DMatrix<f64>,
     /// Of the innovation that backward differences have, per unit of noise: 2^n for the chain.
     pub noise: f64,
     /// 1 x n each: of that innovation, what a change of the state at the end of an interval does, newest first.
-    into: Vec<Rows>,
+    into: Vec<DMatrix<f64>>,
 }
 
 impl Backward {
@@ -36,13 +37,13 @@ impl Backward {
         let keeps = &Matrix::identity(n, p) - &(&gain * c);
         let z = &keeps * phi;
         let ahead = c * phi;
-        let mut sums = Self { shortfall: vec![vec![0.0; n]; n], noise: 1.0, into: vec![c.to_f64()] };
+        let mut sums = Self { shortfall: DMatrix::zeros(n, n), noise: 1.0, into: vec![c.doubles()] };
         let mut power = Matrix::identity(n, p);
         for _ in 0..n {
-            add_magnitudes(&mut sums.shortfall, &(&power * m).to_f64());
+            sums.shortfall += (&power * m).doubles().abs();
             let next = &ahead * &power;
             sums.noise += (&next * &gain).get(0, 0).to_f64().abs();
-            sums.into.push((&next * &keeps).to_f64());
+            sums.into.push((&next * &keeps).doubles());
             power = &power * &z;
         }
         sums
@@ -50,16 +51,16 @@ impl Backward {
 
     /// The largest error of each state by shortfalls alone.
     pub fn error(&self, shortfall: &[f64]) -> Vec<f64> {
-        self.shortfall.iter().map(|row| dot(row, shortfall)).collect()
+        (&self.shortfall * DVector::from_column_slice(shortfall)).iter().copied().collect()
     }
 
     /// What the plant's disturbances within their bounds do to the innovation of backward differences at most, where
     /// they keep their value over a sample interval; `None` where the plant is too fast for its sample time.
     pub fn disturbance(&self, plant: &Plant) -> Option<f64> {
-        let held = transposed(&held(plant)?.to_f64());
-        let gain = |column: &Vec<f64>| self.into.iter().map(|row| dot(&row[0], column).abs()).sum::<f64>();
+        let held = held(plant)?.doubles();
+        let gain = |d: usize| self.into.iter().map(|row| (row * held.column(d))[0].abs()).sum::<f64>();
         let bound = |d: &Disturbance| d.bound.to_f64().unwrap_or(f64::INFINITY);
-        Some(held.iter().zip(&plant.disturbances).map(|(column, d)| gain(column) * bound(d)).sum())
+        Some(plant.disturbances.iter().enumerate().map(|(d, disturbance)| gain(d) * bound(disturbance)).sum())
     }
 }
 
@@ -97,7 +98,7 @@ mod tests {
             assert_eq!(sums.noise, f64::from(1 << n));
             assert_eq!(sums.into.len(), n + 1);
             // A step of y itself is met by the n-th difference with the coefficients of the (n-1)-th.
-            let steps: f64 = sums.into.iter().map(|row| row[0][0].abs()).sum();
+            let steps: f64 = sums.into.iter().map(|row| row[(0, 0)].abs()).sum();
             assert_eq!(steps, f64::from(1 << (n - 1)));
         }
     }
