@@ -4,6 +4,7 @@
 //! parameter or a function. What stands at file scope is the generator's, and carries the
 //! specification's name in C: `pendulum_step`, `PENDULUM_WINDOW`.
 
+use super::c::math;
 use crate::program::{Program, Statement, Table, TableId, Value};
 
 /// The names of one Program's output.
@@ -51,7 +52,7 @@ impl Names {
         format!("t{:0digits$}", value.0, digits = self.digits)
     }
 
-    /// A fragment of the runtime's C source with this prefix in place of its own.
+    /// A part of the runtime's C source with this prefix in place of its own.
     pub fn adopt(&self, source: &str) -> String {
         source.replace("deadbeat_", &format!("{}_", self.lower)).replace("DEADBEAT_", &format!("{}_", self.upper))
     }
@@ -59,10 +60,7 @@ impl Names {
 
 /// Whether a name at file scope is taken by the generator or by the runtime's C source.
 fn is_own(name: &str) -> bool {
-    let macro_name = format!("DEADBEAT_{name}");
-    let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
-    let in_runtime = |source: &str| source.split(|c| !is_word(c)).any(|word| word == macro_name);
-    OWN.contains(&name) || deadbeat_math::c::FRAGMENTS.iter().any(|it| in_runtime(it.source))
+    OWN.contains(&name) || math::defines(&format!("DEADBEAT_{name}"))
 }
 
 /// The largest number of a value.
