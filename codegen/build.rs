@@ -2,9 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::describe;
 use crate::emit::{self, Door};
-use crate::output::{Language, write_whole};
+use crate::output::{Language, header, write_whole};
 use crate::{Generator, Report};
 
 /// Generates the observer of a specification into `OUT_DIR` as `<name>.rs`, for one `include!`.
@@ -31,7 +30,7 @@ fn generate(spec: &Path, folder: &Path) -> Result<(), String> {
     for line in generated.report.render(false).lines().filter(|line| !line.is_empty()) {
         println!("cargo::warning={line}");
     }
-    let header = describe::header(&generated, generator.source(), Language::Rust);
+    let header = header::header(&generated, generator.source(), Language::Rust);
     let text = emit::rust(&generated.program, &header, Door::Include);
     let path = folder.join(format!("{}.rs", generated.program.name));
     write_whole(&path, &text).map_err(|error| format!("cannot write {}: {error}", path.display()))

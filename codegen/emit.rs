@@ -9,7 +9,6 @@
 //! same bytes everywhere.
 
 mod c;
-pub mod names;
 mod plan;
 mod rust;
 mod split;

@@ -9,7 +9,6 @@ mod baseline;
 mod constant;
 pub mod countdown;
 pub mod differentiator;
-pub mod features;
 pub mod fixed_time_linear;
 pub mod high_gain;
 pub mod impulsive;
@@ -26,14 +25,17 @@ pub mod robust_exact;
 pub mod single_delay;
 pub mod window;
 
+use crate::plant::features::{Cannot, Feature};
 use std::fmt::Debug;
 use std::sync::Arc;
 
-use crate::design::{Design, NamedMatrix};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Report, Source, codes};
+use crate::estimator::Design;
+use crate::expr::nearest;
 use crate::plant::Plant;
+use crate::promise::NamedMatrix;
 use crate::spec::reader::Table;
-pub use features::{Cannot, Feature, cannot_count};
+use crate::spec::{Chain, Settings, Spec, Text};
 
 /// All methods, in the order in which `deadbeat list` shows them.
 pub const METHODS: &[Method] = &[
@@ -74,19 +76,9 @@ pub struct Method {
 
 /// A method with its keys read.
 pub trait Keyed: Debug + Send + Sync {
-    /// The order of the chain of integrators that stands for the plant: of the key `order`, where it is given.
-    fn chain(&self) -> Option<usize> {
-        None
-    }
-
-    /// The key that stands for the plant; `None` where the method itself does.
-    fn chain_key(&self) -> Option<&'static str> {
-        Some("order")
-    }
-
-    /// What to write in a file that declares a plant and gives `order` too.
-    fn instead_of_chain(&self) -> &'static str {
-        "leave out `order`"
+    /// Whether its keys stand for the plant.
+    fn chain(&self) -> Chain {
+        Chain { order: None, key: Some("order"), instead: "leave out `order`" }
     }
 
     /// The plant whose states are estimated: where unknown constants are estimated too, they are states of it.
@@ -121,16 +113,44 @@ pub struct Moment {
     pub matrices: Vec<NamedMatrix>,
 }
 
+/// A specification with its method's keys read.
+///
+/// # Errors
+/// Every mistake of the file at once.
+pub fn read(source: Source, settings: Settings) -> Result<(Spec, Arc<dyn Keyed>), Report> {
+    let mut keyed = None;
+    let spec = Spec::parse(source, settings, &mut |name, table| {
+        keyed = read_keys(name, table);
+        keyed.as_ref().map(|keyed| keyed.chain())
+    })?;
+    let keyed = keyed.unwrap_or_else(|| unreachable!("a specification without an observer is refused"));
+    Ok((spec, keyed))
+}
+
+/// The keys of a method's table, by the method's name.
+fn read_keys(name: &Text, mut table: Table) -> Option<Arc<dyn Keyed>> {
+    let known = || METHODS.iter().map(|method| method.name);
+    let Some(method) = METHODS.iter().find(|method| method.name == name.value) else {
+        let message = format!("there is no observer method `{}`", name.value.escape_debug());
+        let error = Diagnostic::error(codes::UNKNOWN_METHOD, name.span.clone(), message);
+        table.report(match nearest(&name.value, known()) {
+            Some(close) => error.help(format!("did you mean `{close}`?")).patch(name.span.clone(), close),
+            None => error.help(format!("the methods are: {}", known().collect::<Vec<_>>().join(", "))),
+        });
+        return None;
+    };
+    let keyed = (method.read)(&mut table);
+    table.finish();
+    keyed
+}
+
 /// What a unit test of a method needs: a plant from a specification's text.
 #[cfg(test)]
 pub fn designed(text: &str) -> Result<(Plant, Design), String> {
-    let source = crate::diagnostic::Source { name: "test.toml".into(), text: text.into() };
-    let spec =
-        crate::spec::Spec::parse(source.clone(), crate::spec::Settings::default()).map_err(|r| r.render(false))?;
+    let source = Source { name: "test.toml".into(), text: text.into() };
+    let (spec, keyed) = read(source.clone(), Settings::default()).map_err(|r| r.render(false))?;
     let (plant, _) = Plant::new(&spec).map_err(|r| r.render(false))?;
-    let plant = spec.observer.keyed.observed(plant);
-    let plant = plant.map_err(|found| crate::diagnostic::Report::new(source.clone(), found).render(false))?;
-    let design = spec.observer.keyed.design(&plant);
-    let design = design.map_err(|found| crate::diagnostic::Report::new(source, found).render(false))?;
+    let plant = keyed.observed(plant).map_err(|found| Report::new(source.clone(), found).render(false))?;
+    let design = keyed.design(&plant).map_err(|found| Report::new(source, found).render(false))?;
     Ok((plant, design))
 }

@@ -1,14 +1,15 @@
 //! The files of a specification: made in memory, all or none, written or compared on request.
 
-use std::collections::BTreeSet;
-use std::fs;
-use std::io;
-use std::path::{Path, PathBuf};
+pub mod header;
 
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+use std::{fs, io};
+
+use crate::Generated;
 use crate::diagnostic::Source;
 use crate::emit::{self, Door};
 use crate::program::listing::listing;
-use crate::{Generated, describe};
 
 /// What a file is written in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -62,13 +63,13 @@ impl Output {
     pub fn new(generated: &Generated, source: &Source) -> Self {
         let program = &generated.program;
         let name = &program.name;
-        let header = |language| describe::header(generated, source, language);
+        let header = |language| header::header(generated, source, language);
         let file = |suffix: &str, language, text| File { name: format!("{name}.{suffix}"), language, text };
         let files = vec![
             file("rs", Language::Rust, emit::rust(program, &header(Language::Rust), Door::File)),
             file("h", Language::C, emit::c_header(program, &header(Language::C))),
             file("c", Language::C, emit::c_source(program, &header(Language::C))),
-            file("step", Language::Step, describe::commented(&header(Language::Step), "#") + &listing(program)),
+            file("step", Language::Step, header::commented(&header(Language::Step), "#") + &listing(program)),
         ];
         Self { files, inputs: vec![source.name.to_string()] }
     }
@@ -146,7 +147,7 @@ fn left_over(folder: &Path, wanted: &BTreeSet<PathBuf>) -> io::Result<Vec<Differ
     let ours = |path: &PathBuf| {
         let known = wanted.iter().any(|wanted| wanted.extension() == path.extension());
         let head = || fs::read(path).map(|text| String::from_utf8_lossy(&text[..text.len().min(4_000)]).into_owned());
-        known && head().is_ok_and(|head| describe::GENERATED.iter().any(|mark| head.contains(mark)))
+        known && head().is_ok_and(|head| header::GENERATED.iter().any(|mark| head.contains(mark)))
     };
     Ok(paths.into_iter().filter(|path| !wanted.contains(path) && ours(path)).map(Difference::LeftOver).collect())
 }

@@ -6,6 +6,7 @@
 pub mod combine;
 mod elimination;
 mod expression;
+pub mod features;
 pub mod measurable;
 pub mod modes;
 mod outputs;

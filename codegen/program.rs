@@ -481,3 +481,7 @@ impl Program {
         all.filter(|(at, _)| self.is_read(*at))
     }
 }
+
+pub(crate) fn place(index: usize) -> u16 {
+    u16::try_from(index).unwrap_or_else(|_| unreachable!("a plant has at most 256 of each"))
+}

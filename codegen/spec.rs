@@ -11,15 +11,13 @@ pub mod sensor;
 
 use std::cell::RefCell;
 use std::ops::Range;
-use std::sync::Arc;
 
 use dashu_ratio::RBig;
 use serde::Deserialize;
 
 use crate::diagnostic::{Report, Source};
-use crate::method::Keyed;
 use crate::program::Scalar;
-use reader::Found;
+use reader::{Found, Table};
 use sensor::Sensor;
 
 /// A string with its place in the file.
@@ -154,13 +152,11 @@ pub struct Matrices {
     pub span: Range<usize>,
 }
 
-/// `[observer.<method>]`; its keys belong to the method.
+/// `[observer.<method>]`; what its other keys say is the method's business.
 #[derive(Clone, Debug)]
 pub struct Observer {
     /// The method's name with its place.
     pub method: Text,
-    /// The method with its keys read.
-    pub keyed: Arc<dyn Keyed>,
     /// By how much later the estimate is for, s.
     pub ahead: Option<Quantity>,
 }
@@ -239,11 +235,26 @@ pub struct Spec {
     pub target: Target,
 }
 
+/// Whether a method's keys stand for the plant, by a chain of integrators, and how to speak of that.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Chain {
+    /// How many integrators; `None` where the file declares the plant.
+    pub order: Option<usize>,
+    /// The key that stands for the plant; `None` where the method itself does.
+    pub key: Option<&'static str>,
+    /// What to write in a file that declares a plant too.
+    pub instead: &'static str,
+}
+
+/// Reads the keys of `[observer.<method>]`, given the method's name and the table that holds them; mistakes are reported
+/// there and give `None`.
+pub type ReadKeys<'a> = &'a mut dyn FnMut(&Text, Table) -> Option<Chain>;
+
 impl Spec {
-    /// Reads a specification.
-    pub fn parse(source: Source, settings: Settings) -> Result<Self, Report> {
+    /// Reads a specification, with `keys` for the observer's own table.
+    pub fn parse(source: Source, settings: Settings, keys: ReadKeys) -> Result<Self, Report> {
         let found: Found = RefCell::new(Vec::new());
-        let spec = read::read(&source, settings, &found);
+        let spec = read::read(&source, settings, keys, &found);
         let found = found.into_inner();
         match spec {
             Some(spec) if found.is_empty() => Ok(spec),

@@ -3,7 +3,7 @@
 use std::io::Read;
 
 use clap::Args;
-use deadbeat_codegen::plant::Plant;
+use deadbeat_codegen::Plant;
 
 use super::Failure;
 use super::files::explained;

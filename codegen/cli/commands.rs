@@ -3,8 +3,7 @@
 use std::fmt::Write as _;
 use std::path::PathBuf;
 
-use deadbeat_codegen::method::{METHODS, Method};
-use deadbeat_codegen::{Difference, Generated, Output, Report};
+use deadbeat_codegen::{Difference, Generated, METHODS, Method, Output, Report};
 use serde_json::{Value, json};
 use similar::TextDiff;
 

@@ -1,10 +1,8 @@
 //! The figure of a replay: per state its estimate with measurement and reference, and the error.
 
-use deadbeat_codegen::Generated;
-use deadbeat_codegen::describe::short;
-use deadbeat_codegen::plant::Plant;
-use deadbeat_codegen::real::Rational;
-use deadbeat_codegen::window::seconds;
+use deadbeat_codegen::internals::numbers::{seconds, short};
+use deadbeat_codegen::internals::real::Rational;
+use deadbeat_codegen::{Generated, Plant};
 
 use super::interface::{Answer, Interface, MeasuredKind, fold, number};
 use super::replay::{Replay, Row, Sample};

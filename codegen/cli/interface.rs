@@ -1,9 +1,8 @@
 //! What a step takes and gives, by the fields of its Program: what a replay hands over, and what it may compare.
 
-use deadbeat_codegen::Generated;
-use deadbeat_codegen::expr::Constant;
-use deadbeat_codegen::plant::Plant;
+use deadbeat_codegen::internals::expr::Constant;
 use deadbeat_codegen::program::{Field, Kind, Status};
+use deadbeat_codegen::{Generated, Plant};
 
 /// The fields of one step function.
 #[derive(Clone, Debug)]

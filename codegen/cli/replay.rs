@@ -6,8 +6,9 @@
 
 use std::fmt::Write as _;
 
-use deadbeat_codegen::describe::short;
-use deadbeat_codegen::plant::{Hold, Plant};
+use deadbeat_codegen::Plant;
+use deadbeat_codegen::internals::numbers::short;
+use deadbeat_codegen::internals::plant::Hold;
 use deadbeat_codegen::program::interp::Interpreter;
 use deadbeat_codegen::program::{Program, Status};
 

@@ -2,13 +2,12 @@
 
 use std::fmt::Write as _;
 
-use deadbeat_codegen::describe::{self, short};
-use deadbeat_codegen::design::{Certificate, Convergence, Design, NamedMatrix, Realization, Shape};
-use deadbeat_codegen::method::Moment;
-use deadbeat_codegen::plant::modes::modes;
+use deadbeat_codegen::internals::numbers::short;
+use deadbeat_codegen::internals::output::header;
+use deadbeat_codegen::internals::plant::modes::modes;
 use deadbeat_codegen::program::cost::{Cost, cost};
-use deadbeat_codegen::window::irregular::Phase;
-use deadbeat_codegen::{Generated, Language, Source, VERSION};
+use deadbeat_codegen::promise::{Certificate, Convergence, NamedMatrix, Phase, Realization};
+use deadbeat_codegen::{Design, Generated, Language, Moment, Source, VERSION};
 use serde_json::{Map, Value, json};
 
 fn counted(generated: &Generated) -> Cost {
@@ -18,7 +17,7 @@ fn counted(generated: &Generated) -> Cost {
 /// The design for machines; the keys are those of the manual.
 pub fn json(generated: &Generated) -> Value {
     let (plant, design) = (&generated.plant, &generated.design);
-    let names = |labels: Vec<&deadbeat_codegen::plant::Label>| -> Vec<String> {
+    let names = |labels: Vec<&deadbeat_codegen::internals::plant::Label>| -> Vec<String> {
         labels.iter().map(|l| l.name.clone()).collect()
     };
     let constants: Map<String, Value> =
@@ -70,19 +69,16 @@ pub fn json(generated: &Generated) -> Value {
         },
         "warnings": warnings,
     });
-    if let Shape::Window(functional) = &design.shape
-        && !functional.longer.is_empty()
-    {
-        let longer = functional.longer.iter().map(|longer| (longer.functional.steps, &longer.certificate));
+    if !design.longer.is_empty() {
+        let longer = design.longer.iter().map(|longer| (longer.steps, &longer.certificate));
         let windows = std::iter::once((design.window_steps, &design.certificate)).chain(longer);
         all["windows"] = windows
             .map(|(steps, certificate)| json!({ "window_steps": steps, "certificate": promised(certificate) }))
             .collect();
     }
-    let phases = phases(design);
-    if !phases.is_empty() {
+    if !design.phases.is_empty() {
         let phase = |it: &Phase| json!({ "noise_gain_l1": it.noise_gain_l1, "noise_gain_l2": it.noise_gain_l2 });
-        all["phases"] = phases.iter().map(phase).collect();
+        all["phases"] = design.phases.iter().map(phase).collect();
     }
     all
 }
@@ -97,20 +93,12 @@ fn promised(certificate: &Certificate) -> Value {
     })
 }
 
-/// Gains by phase, where outputs are measured at rates of their own.
-fn phases(design: &Design) -> &[Phase] {
-    match &design.shape {
-        Shape::Window(functional) => functional.irregular.as_ref().map_or(&[], |irregular| &irregular.phases),
-        _ => &[],
-    }
-}
-
 /// Phases that are printed for people.
 const MOST_PHASES: usize = 20;
 
 /// The worst-case noise gains of each phase: a line for each output.
 fn by_phase(generated: &Generated) -> String {
-    let (plant, phases) = (&generated.plant, phases(&generated.design));
+    let (plant, phases) = (&generated.plant, &generated.design.phases);
     let mut text = String::new();
     if phases.is_empty() {
         return text;
@@ -168,7 +156,7 @@ fn decision(design: &Design) -> String {
 pub fn text(generated: &Generated) -> String {
     let design = &generated.design;
     let source = Source { name: "".into(), text: "".into() };
-    let header = describe::header(generated, &source, Language::Step);
+    let header = header::header(generated, &source, Language::Step);
     let mut text = format!("{}\n", header.title);
     // The header without its provenance and its contract.
     let body = header.lines.iter().skip_while(|line| !line.is_empty()).skip(1).take_while(|line| *line != "Contract:");

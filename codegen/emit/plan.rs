@@ -8,8 +8,8 @@ mod values;
 
 use std::collections::BTreeMap;
 
-use super::names::Names;
 use super::split::{self, Item};
+use crate::names::Names;
 use crate::program::{Carried, CellKind, Op, Program, Statement, TableId, Type, Value};
 
 pub use reach::{Access, Reach};

@@ -5,25 +5,28 @@
 //! end is the rate.
 //!
 //! **Source.** Janabi-Sharifi, Hayward and Chen 2000, "Discrete-time adaptive windowing for velocity estimation": the
-//! first-order window with the best fit. See [`crate::baseline`].
+//! first-order window with the best fit. See [`crate::estimator::baseline`].
 //!
 //! **Conditions.** One output without delay. No certificate: the window's length depends on the samples.
 
+use crate::spec::Chain;
 use std::sync::Arc;
 
 use super::baseline::{self, Settling};
-use super::{Cannot, Feature, Keyed, Method};
-use crate::baseline::{AdaptiveWindow, Baseline, Law};
+use super::{Keyed, Method};
 use crate::decimal::show;
-use crate::describe::short;
-use crate::design::{Convergence, Design};
 use crate::diagnostic::{Diagnostic, codes};
+use crate::estimator::Design;
+use crate::estimator::baseline::{AdaptiveWindow, Baseline, Law};
 use crate::expr::Constant;
+use crate::numbers::{count, short};
 use crate::plant::Plant;
+use crate::plant::features::{Cannot, Feature};
+use crate::promise::Convergence;
 use crate::real::Precision;
+use crate::sampled::samples::whole_samples;
 use crate::spec::Quantity;
 use crate::spec::reader::Table;
-use crate::window::{count, whole_samples};
 
 /// The registry's entry.
 pub const METHOD: Method = Method {
@@ -62,20 +65,12 @@ fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
 }
 
 impl Keyed for Keys {
-    fn chain(&self) -> Option<usize> {
-        Some(2)
-    }
-
-    fn chain_key(&self) -> Option<&'static str> {
-        None
-    }
-
-    fn instead_of_chain(&self) -> &'static str {
-        "`[observer.window]` takes a plant of your own"
+    fn chain(&self) -> Chain {
+        Chain { order: Some(2), key: None, instead: "`[observer.window]` takes a plant of your own" }
     }
 
     fn cannot(&self, feature: Feature, plant: &Plant) -> Option<Cannot> {
-        crate::baseline::cannot(feature, plant)
+        crate::estimator::baseline::cannot(feature, plant)
     }
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {

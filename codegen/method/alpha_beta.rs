@@ -11,17 +11,19 @@
 //!
 //! **Conditions.** One output without delay; alpha between 0 and 1.
 
+use crate::spec::Chain;
 use std::sync::Arc;
 
 use super::constant::{Asked, Outputs, design, refuse};
-use super::{Cannot, Feature, Keyed, Method, order};
-use crate::corrector::exact::Law;
+use super::{Keyed, Method, order};
 use crate::decimal::show;
-use crate::describe::short;
-use crate::design::Design;
 use crate::diagnostic::{Diagnostic, codes};
+use crate::estimator::Design;
+use crate::estimator::corrector::exact::Law;
 use crate::expr::Constant;
+use crate::numbers::short;
 use crate::plant::Plant;
+use crate::plant::features::{Cannot, Feature};
 use crate::real::{Matrix, Precision, Real};
 use crate::spec::Quantity;
 use crate::spec::reader::Table;
@@ -80,20 +82,16 @@ fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
 }
 
 impl Keyed for Keys {
-    fn chain(&self) -> Option<usize> {
-        Some(self.order)
-    }
-
-    fn chain_key(&self) -> Option<&'static str> {
-        None
-    }
-
-    fn instead_of_chain(&self) -> &'static str {
-        "`[observer.luenberger]` and `[observer.kalman]` have a constant gain for a plant of your own"
+    fn chain(&self) -> Chain {
+        Chain {
+            order: Some(self.order),
+            key: None,
+            instead: "`[observer.luenberger]` and `[observer.kalman]` have a constant gain for a plant of your own",
+        }
     }
 
     fn cannot(&self, feature: Feature, plant: &Plant) -> Option<Cannot> {
-        crate::corrector::cannot(feature, plant)
+        crate::estimator::corrector::cannot(feature, plant)
     }
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {

@@ -1,12 +1,16 @@
 //! What the baselines share: rounding their constants, and a design without gains.
 
+use std::sync::Arc;
+
 use super::window::resolution_warnings;
-use crate::baseline::Baseline;
-use crate::design::{Certificate, Convergence, Design, Numerics, Settled, Shape};
 use crate::diagnostic::Diagnostic;
+use crate::estimator::Design;
+use crate::estimator::baseline::Baseline;
 use crate::plant::Plant;
+use crate::promise::{Certificate, Convergence};
 use crate::real::{Precision, Real};
-use crate::window::settle::rising;
+use crate::sampled::settle::{Numerics, rising};
+use crate::sampled::settled::Settled;
 
 /// Constants after their one rounding.
 pub(super) struct Settling {
@@ -51,6 +55,8 @@ pub(super) fn design(
         certificate: Certificate::default(),
         numerics,
         warnings: resolution_warnings(plant),
-        shape: Shape::Baseline(Box::new(shape)),
+        longer: Vec::new(),
+        phases: Vec::new(),
+        estimator: Arc::new(shape),
     }
 }

@@ -1,15 +1,19 @@
 //! What all methods with a constant gain do: refuse what the shape cannot take, build, report.
 
+use std::sync::Arc;
+
 use super::prescribed_time::{refuse_delays, refuse_several_outputs};
 use super::window::{constants, refuse_unknowns, resolution_warnings, time_warning, verdict};
-use crate::corrector::design::{Built, Promise, Request, build};
-use crate::corrector::exact::{Exact, Law};
-use crate::corrector::{Counting, Gain};
-use crate::design::{Design, NamedMatrix, Settled, Shape};
 use crate::diagnostic::Diagnostic;
+use crate::estimator::Design;
+use crate::estimator::corrector::design::{Built, Promise, Request, build};
+use crate::estimator::corrector::exact::{Exact, Law};
+use crate::estimator::corrector::{Counting, Gain};
 use crate::plant::Plant;
+use crate::promise::NamedMatrix;
 use crate::real::Precision;
-use crate::window::model::{Model, signals};
+use crate::sampled::model::{Model, signals};
+use crate::sampled::settled::Settled;
 
 /// How many outputs a method takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -87,6 +91,8 @@ pub(super) fn design(plant: &Plant, asked: Asked) -> Result<Design, Vec<Diagnost
         certificate,
         numerics,
         warnings,
-        shape: Shape::Corrector(Box::new(corrector)),
+        longer: Vec::new(),
+        phases: Vec::new(),
+        estimator: Arc::new(corrector),
     })
 }

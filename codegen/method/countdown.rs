@@ -8,15 +8,16 @@ pub mod numbers;
 
 use std::ops::Range;
 
-use crate::corrector::{After, Counting, law, theorem1};
 use crate::decimal::show;
 use crate::diagnostic::{Diagnostic, codes};
+use crate::estimator::corrector::{After, Counting, law, theorem1};
 use crate::expr::{Constant, List};
+use crate::numbers::count;
 use crate::plant::Plant;
 use crate::program::Scalar;
 use crate::real::{Precision, Rational, Real};
+use crate::sampled::samples::whole_samples;
 use crate::spec::Quantity;
-use crate::window::{count, whole_samples};
 pub use keys::{
     AFTER, EFIMOV_ORLOV, HOLLOWAY_KRSTIC, INITIAL, Keys, LawKeys, MAX_GAIN, POLES, STOP_BEFORE, TIME, read,
 };
@@ -174,7 +175,7 @@ impl Countdown {
         let error = Diagnostic::error(codes::METHOD_CANNOT, span, message).measured(margin);
         let label = format!(
             "it falls like (T-t)^{}; for the last state more than (T-t)^{needed} is needed",
-            crate::describe::short(margin)
+            crate::numbers::short(margin)
         );
         found.push(error.label(label).help("larger gains, a longer `time`, or `poles = { p = 10 }`"));
     }

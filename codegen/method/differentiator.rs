@@ -11,26 +11,28 @@
 
 mod notes;
 
+use crate::spec::Chain;
 use std::ops::Range;
 use std::sync::Arc;
 
 use super::countdown::{self, Countdown};
-use super::noise;
 use super::order::{self, Order};
 use super::prescribed_time::{exactly, filter, promised, refuse_delays, summary, weak};
 use super::window::{constants, refuse_unknowns, resolution_warnings, verdict};
-use super::{Cannot, Feature, Keyed, Method, Moment};
-use crate::corrector::After;
-use crate::corrector::design::{Promise, Request, build};
-use crate::corrector::exact::Law;
-use crate::design::{Certificate, Convergence, Design, NamedMatrix, Shape};
+use super::{Keyed, Method, Moment, noise};
 use crate::diagnostic::{Diagnostic, codes};
-use crate::implicit_euler::{Gains, ImplicitEuler, output_map};
+use crate::estimator::Design;
+use crate::estimator::corrector::After;
+use crate::estimator::corrector::design::{Promise, Request, build};
+use crate::estimator::corrector::exact::Law;
+use crate::estimator::corrector::implicit_euler::{Gains, ImplicitEuler, output_map};
 use crate::plant::Plant;
+use crate::plant::features::{Cannot, Feature};
+use crate::promise::{Certificate, Convergence, NamedMatrix};
 use crate::real::{Precision, Rational, Real};
+use crate::sampled::model::Model;
 use crate::spec::Quantity;
 use crate::spec::reader::Table;
-use crate::window::model::Model;
 
 /// The registry's entry.
 pub const METHOD: Method = Method {
@@ -88,12 +90,12 @@ fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
 }
 
 impl Keyed for Keys {
-    fn chain(&self) -> Option<usize> {
-        Some(self.order)
-    }
-
-    fn instead_of_chain(&self) -> &'static str {
-        "`[observer.prescribed-time]` has the same gains for a plant of your own, without `order`"
+    fn chain(&self) -> Chain {
+        Chain {
+            order: Some(self.order),
+            key: Some("order"),
+            instead: "`[observer.prescribed-time]` has the same gains for a plant of your own, without `order`",
+        }
     }
 
     fn observed(&self, mut plant: Plant) -> Result<Plant, Vec<Diagnostic>> {
@@ -102,7 +104,7 @@ impl Keyed for Keys {
     }
 
     fn cannot(&self, feature: Feature, plant: &Plant) -> Option<Cannot> {
-        crate::corrector::cannot(feature, plant)
+        crate::estimator::corrector::cannot(feature, plant)
     }
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {
@@ -163,7 +165,9 @@ impl Keyed for Keys {
             certificate: self.certificate(built.certificate),
             numerics: built.numerics,
             warnings,
-            shape: Shape::Corrector(Box::new(built.corrector)),
+            longer: Vec::new(),
+            phases: Vec::new(),
+            estimator: Arc::new(built.corrector),
         })
     }
 

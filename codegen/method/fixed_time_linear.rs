@@ -10,23 +10,25 @@
 //! **Conditions.** A chain of integrators, or (C, A) observable with one output at the sample time, no mode that is gone
 //! within a sample, no delay, nonlinearities in measured states, inputs and time only.
 
+use crate::spec::Chain;
 use std::sync::Arc;
 
 use super::order::{self, Order};
 use super::prescribed_time::{refuse_delays, refuse_several_outputs};
 use super::window::{constants, refuse_unknowns, resolution_warnings, time_warning, verdict};
-use super::{Cannot, Feature, Keyed, Method};
-use crate::corrector::Counting;
-use crate::corrector::design::{Promise, Request, build};
-use crate::corrector::exact::Law;
-use crate::describe::short;
-use crate::design::{Certificate, Convergence, Design, NamedMatrix, Shape};
+use super::{Keyed, Method};
 use crate::diagnostic::{Diagnostic, codes};
+use crate::estimator::Design;
+use crate::estimator::corrector::Counting;
+use crate::estimator::corrector::design::{Promise, Request, build};
+use crate::estimator::corrector::exact::Law;
+use crate::numbers::{count, short};
 use crate::plant::Plant;
+use crate::plant::features::{Cannot, Feature};
+use crate::promise::{Certificate, Convergence, NamedMatrix};
 use crate::real::{Matrix, Precision, Real};
+use crate::sampled::model::signals;
 use crate::spec::reader::Table;
-use crate::window::count;
-use crate::window::model::signals;
 
 /// The registry's entry.
 pub const METHOD: Method = Method {
@@ -51,12 +53,12 @@ fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
 }
 
 impl Keyed for Keys {
-    fn chain(&self) -> Option<usize> {
-        self.order.order
+    fn chain(&self) -> Chain {
+        Chain { order: self.order.order, key: Some("order"), instead: "leave out `order`" }
     }
 
     fn cannot(&self, feature: Feature, plant: &Plant) -> Option<Cannot> {
-        crate::corrector::cannot(feature, plant)
+        crate::estimator::corrector::cannot(feature, plant)
     }
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {
@@ -102,7 +104,9 @@ impl Keyed for Keys {
             certificate: self.order.certain(built.certificate),
             numerics,
             warnings,
-            shape: Shape::Corrector(Box::new(built.corrector)),
+            longer: Vec::new(),
+            phases: Vec::new(),
+            estimator: Arc::new(built.corrector),
         })
     }
 }
@@ -143,7 +147,7 @@ fn noise(plant: &Plant, certificate: &Certificate, order: Option<usize>) -> Opti
 #[cfg(test)]
 mod tests {
     use super::super::designed;
-    use crate::design::Convergence;
+    use crate::promise::Convergence;
 
     /// A chain is exact with its n-th sample, call n - 1; so is a plant that shows a state. One that shows a sum of
     /// states needs one more.

@@ -17,15 +17,16 @@ use std::sync::Arc;
 use super::constant::{Asked, Outputs, design, refuse};
 use super::countdown::listed;
 use super::poles::{self, Exact, Poles};
-use super::{Cannot, Feature, Keyed, Method};
-use crate::corrector::exact::Law;
-use crate::corrector::placement::{Pole, polynomial};
+use super::{Keyed, Method};
 use crate::decimal::show;
-use crate::describe::short;
-use crate::design::Design;
 use crate::diagnostic::{Diagnostic, codes};
+use crate::estimator::Design;
+use crate::estimator::corrector::exact::Law;
+use crate::estimator::corrector::placement::{Pole, polynomial};
 use crate::expr::Constant;
+use crate::numbers::short;
 use crate::plant::Plant;
+use crate::plant::features::{Cannot, Feature};
 use crate::real::{Matrix, Precision, Real};
 use crate::spec::Quantity;
 use crate::spec::reader::Table;
@@ -101,7 +102,7 @@ enum Numbers {
 
 impl Keyed for Keys {
     fn cannot(&self, feature: Feature, plant: &Plant) -> Option<Cannot> {
-        crate::corrector::cannot(feature, plant)
+        crate::estimator::corrector::cannot(feature, plant)
     }
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {

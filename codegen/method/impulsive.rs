@@ -18,30 +18,32 @@ use std::sync::Arc;
 use super::window::{
     VERDICT_BITS, read_hold, refuse_steps, refuse_unknowns, resolution_warnings, time_warning, verdict, window_steps,
 };
-use super::{Cannot, Feature, Keyed, Method};
+use super::{Keyed, Method};
 use crate::decimal::show;
-use crate::design::{Design, NamedMatrix, Shape};
 use crate::diagnostic::{Diagnostic, codes};
+use crate::estimator::Design;
+use crate::estimator::copies::certificate::{certify, longest_period};
+use crate::estimator::copies::errors::ErrorMap;
+use crate::estimator::copies::exact::{Choice, Exact, Failure};
+use crate::estimator::copies::gain::search;
+use crate::estimator::copies::known::{Known, Run, knowns};
+use crate::estimator::copies::proof::{Asked, prove};
+use crate::estimator::copies::settle::settle;
+use crate::estimator::copies::size::Size;
+use crate::estimator::copies::theorem::Theorem2;
+use crate::estimator::copies::{Calls, Form};
 use crate::expr::{Constant, List};
-use crate::impulsive::certificate::{certify, longest_period};
-use crate::impulsive::errors::ErrorMap;
-use crate::impulsive::exact::{Choice, Exact, Failure};
-use crate::impulsive::gain::search;
-use crate::impulsive::known::{Known, Run, knowns};
-use crate::impulsive::proof::{Asked, prove};
-use crate::impulsive::settle::settle;
-use crate::impulsive::size::Size;
-use crate::impulsive::theorem::Theorem2;
-use crate::impulsive::{Calls, Form};
+use crate::numbers::{count, seconds, trimmed};
 use crate::plant::Plant;
+use crate::plant::features::{Cannot, Feature};
 use crate::program::Scalar;
+use crate::promise::NamedMatrix;
 use crate::real::{Matrix, Precision};
+use crate::sampled::coordinates::Coordinates;
+use crate::sampled::model::{Between, Model};
+use crate::sampled::samples::refuse_much_work;
 use crate::spec::reader::Table;
 use crate::spec::{Quantity, Rows};
-use crate::window::coordinates::Coordinates;
-use crate::window::model::Between;
-use crate::window::model::Model;
-use crate::window::{count, refuse_much_work, seconds, trimmed};
 
 /// The registry's entry.
 pub const METHOD: Method = Method {
@@ -186,7 +188,9 @@ impl Keyed for Keys {
             certificate,
             numerics,
             warnings,
-            shape: Shape::Impulsive(Box::new(shape)),
+            longer: Vec::new(),
+            phases: Vec::new(),
+            estimator: Arc::new(shape),
         })
     }
 }

@@ -14,18 +14,18 @@ mod rates;
 use std::sync::Arc;
 
 use super::constant::{Asked, Outputs, design, refuse};
-use super::noise;
-use super::{Cannot, Feature, Keyed, Method};
-use crate::corrector::exact::{Exact, Law};
-use crate::corrector::riccati::{Steady, steady};
+use super::{Keyed, Method, noise};
 use crate::decimal::show;
-use crate::describe::short;
-use crate::design::Design;
 use crate::diagnostic::{Diagnostic, codes};
+use crate::estimator::Design;
+use crate::estimator::corrector::exact::{Exact, Law};
+use crate::estimator::corrector::riccati::{Steady, steady};
+use crate::numbers::short;
 use crate::plant::Plant;
+use crate::plant::features::{Cannot, Feature};
 use crate::real::{Matrix, Precision};
+use crate::sampled::model::Model;
 use crate::spec::reader::Table;
-use crate::window::model::Model;
 
 /// The registry's entry.
 pub const METHOD: Method = Method {
@@ -55,7 +55,7 @@ const RESIDUAL: f64 = 1e-30;
 
 impl Keyed for Keys {
     fn cannot(&self, feature: Feature, plant: &Plant) -> Option<Cannot> {
-        if feature == Feature::Every { None } else { crate::corrector::cannot(feature, plant) }
+        if feature == Feature::Every { None } else { crate::estimator::corrector::cannot(feature, plant) }
     }
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {

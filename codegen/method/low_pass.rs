@@ -4,21 +4,24 @@
 //! the next, and filtered at every call: `v = a v + (1 - a) q`, `a = T / (T + h)`.
 //!
 //! **Source.** What open motor controllers ship (`SimpleFOC`'s `Sensor` and `LowPassFilter`), in own words: nothing of it
-//! is theirs but the formula. See [`crate::baseline`].
+//! is theirs but the formula. See [`crate::estimator::baseline`].
 //!
 //! **Conditions.** One output without delay. No certificate: the formula is not linear in the samples.
 
+use crate::spec::Chain;
 use std::sync::Arc;
 
 use super::baseline::{self, Settling};
-use super::{Cannot, Feature, Keyed, Method};
-use crate::baseline::{Baseline, Law, LowPass};
+use super::{Keyed, Method};
 use crate::decimal::show;
-use crate::describe::short;
-use crate::design::{CONTRACTED, Convergence, Design};
 use crate::diagnostic::{Diagnostic, codes};
+use crate::estimator::Design;
+use crate::estimator::baseline::{Baseline, Law, LowPass};
 use crate::expr::Constant;
+use crate::numbers::short;
 use crate::plant::Plant;
+use crate::plant::features::{Cannot, Feature};
+use crate::promise::{CONTRACTED, Convergence};
 use crate::real::{Precision, Real};
 use crate::spec::Quantity;
 use crate::spec::reader::Table;
@@ -53,20 +56,12 @@ fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
 }
 
 impl Keyed for Keys {
-    fn chain(&self) -> Option<usize> {
-        Some(2)
-    }
-
-    fn chain_key(&self) -> Option<&'static str> {
-        None
-    }
-
-    fn instead_of_chain(&self) -> &'static str {
-        "`[observer.window]` takes a plant of your own"
+    fn chain(&self) -> Chain {
+        Chain { order: Some(2), key: None, instead: "`[observer.window]` takes a plant of your own" }
     }
 
     fn cannot(&self, feature: Feature, plant: &Plant) -> Option<Cannot> {
-        crate::baseline::cannot(feature, plant)
+        crate::estimator::baseline::cannot(feature, plant)
     }
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {

@@ -13,18 +13,18 @@ use std::sync::Arc;
 
 use super::constant::{Asked, Outputs, design, refuse};
 use super::poles::{self, Exact, Poles};
-use super::{Cannot, Feature, Keyed, Method};
-use crate::corrector::exact::Law;
-use crate::corrector::placement::{Failure, Pole, gain, polynomial};
+use super::{Keyed, Method};
 use crate::decimal::show;
-use crate::describe::short;
-use crate::design::Design;
 use crate::diagnostic::{Diagnostic, codes};
+use crate::estimator::Design;
+use crate::estimator::corrector::exact::Law;
+use crate::estimator::corrector::placement::{Failure, Pole, gain, polynomial};
+use crate::numbers::{count, short};
 use crate::plant::Plant;
+use crate::plant::features::{Cannot, Feature};
 use crate::real::{Precision, Undefined};
+use crate::sampled::model::Model;
 use crate::spec::reader::Table;
-use crate::window::count;
-use crate::window::model::Model;
 
 /// The registry's entry.
 pub const METHOD: Method = Method {
@@ -54,7 +54,7 @@ fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
 
 impl Keyed for Keys {
     fn cannot(&self, feature: Feature, plant: &Plant) -> Option<Cannot> {
-        crate::corrector::cannot(feature, plant)
+        crate::estimator::corrector::cannot(feature, plant)
     }
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {

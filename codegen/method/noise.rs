@@ -2,16 +2,16 @@
 
 use std::ops::Range;
 
-use crate::corrector::noise::over_a_sample;
-use crate::corrector::riccati::{Failure, Noise};
-use crate::describe::short;
 use crate::diagnostic::{Diagnostic, codes};
+use crate::estimator::corrector::noise::over_a_sample;
+use crate::estimator::corrector::riccati::{Failure, Noise};
 use crate::expr::{Constant, List};
+use crate::numbers::short;
 use crate::plant::Plant;
 use crate::real::{Matrix, Precision, Real, zero_order_hold};
+use crate::sampled::model::Matrices;
 use crate::spec::Quantity;
 use crate::spec::reader::Table;
-use crate::window::model::Matrices;
 
 /// The keys, for the table's own messages.
 pub(super) const KEYS: [(&str, &str, &str); 3] = [

@@ -3,14 +3,14 @@
 
 use std::ops::RangeInclusive;
 
-use crate::corrector::design::no_chain;
-use crate::design::Certificate;
 use crate::diagnostic::{Diagnostic, codes};
+use crate::estimator::corrector::design::no_chain;
 use crate::plant::Plant;
+use crate::promise::Certificate;
 use crate::real::{Matrix, Precision, Real};
+use crate::sampled::Signal;
+use crate::sampled::model::Model;
 use crate::spec::reader::Table;
-use crate::window::Signal;
-use crate::window::model::Model;
 
 /// Row of a keys' table.
 pub const ORDER: (&str, &str, &str) =

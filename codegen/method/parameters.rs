@@ -23,20 +23,27 @@ use std::sync::Arc;
 use super::window::{
     constants, delays, fir, refuse_long_delays, resolution_warnings, time_warning, verdict, window_steps,
 };
-use super::{Cannot, Feature, Keyed, Method};
-use crate::design::{Convergence, Design, NamedMatrix, Numerics, Shape};
+use super::{Keyed, Method};
 use crate::diagnostic::{Diagnostic, codes};
-use crate::parameters::augment::{augmented, varying, without};
-use crate::parameters::functions::with_functions;
-use crate::parameters::identifiable;
+use crate::estimator::Design;
+use crate::estimator::window::Functional;
+use crate::estimator::window::realize::{
+    Form, LeastSquares, REALIZATION_CHOICES, Realized, Request, WORDS, Wanted, realize,
+};
+use crate::estimator::window::settle::settle;
+use crate::estimator::window::solve::{Choice, Exact};
+use crate::numbers::{seconds, trimmed};
 use crate::plant::Plant;
+use crate::plant::features::{Cannot, Feature};
+use crate::promise::{Convergence, NamedMatrix};
+use crate::sampled::model::signals;
+use crate::sampled::samples::refuse_much_work;
+use crate::sampled::settle::Numerics;
+use crate::sampled::unknowns::augment::{augmented, varying, without};
+use crate::sampled::unknowns::functions::with_functions;
+use crate::sampled::unknowns::identifiable;
 use crate::spec::Quantity;
 use crate::spec::reader::Table;
-use crate::window::model::signals;
-use crate::window::realize::{Form, LeastSquares, REALIZATION_CHOICES, Realized, Request, WORDS, Wanted, realize};
-use crate::window::settle::settle;
-use crate::window::solve::{Choice, Exact};
-use crate::window::{Functional, refuse_much_work, seconds, trimmed};
 use two_stages::Paper;
 
 /// The registry's entry.
@@ -226,7 +233,9 @@ fn functional(
         certificate,
         numerics: Numerics { condition: frame.condition, ..numerics },
         warnings: time_warning(plant).into_iter().chain(resolution_warnings(plant)).collect(),
-        shape: Shape::Window(Box::new(functional)),
+        longer: Vec::new(),
+        phases: Vec::new(),
+        estimator: Arc::new(functional),
     })
 }
 

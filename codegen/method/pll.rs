@@ -9,17 +9,19 @@
 //!
 //! **Conditions.** One output without delay; kp h below 1, as drives demand: a sample never pulls the position past it.
 
+use crate::spec::Chain;
 use std::sync::Arc;
 
 use super::constant::{Asked, Outputs, design, refuse};
-use super::{Cannot, Feature, Keyed, Method};
-use crate::corrector::exact::Law;
+use super::{Keyed, Method};
 use crate::decimal::show;
-use crate::describe::short;
-use crate::design::Design;
 use crate::diagnostic::{Diagnostic, codes};
+use crate::estimator::Design;
+use crate::estimator::corrector::exact::Law;
 use crate::expr::Constant;
+use crate::numbers::short;
 use crate::plant::Plant;
+use crate::plant::features::{Cannot, Feature};
 use crate::real::{Matrix, Precision, Real};
 use crate::spec::Quantity;
 use crate::spec::reader::Table;
@@ -51,20 +53,16 @@ fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
 }
 
 impl Keyed for Keys {
-    fn chain(&self) -> Option<usize> {
-        Some(2)
-    }
-
-    fn chain_key(&self) -> Option<&'static str> {
-        None
-    }
-
-    fn instead_of_chain(&self) -> &'static str {
-        "`[observer.luenberger]` and `[observer.kalman]` have a constant gain for a plant of your own"
+    fn chain(&self) -> Chain {
+        Chain {
+            order: Some(2),
+            key: None,
+            instead: "`[observer.luenberger]` and `[observer.kalman]` have a constant gain for a plant of your own",
+        }
     }
 
     fn cannot(&self, feature: Feature, plant: &Plant) -> Option<Cannot> {
-        crate::corrector::cannot(feature, plant)
+        crate::estimator::corrector::cannot(feature, plant)
     }
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {

@@ -2,15 +2,15 @@
 
 use std::ops::Range;
 
-use crate::corrector::placement::Pole;
 use crate::decimal::show;
 use crate::diagnostic::{Diagnostic, codes};
+use crate::estimator::corrector::placement::Pole;
 use crate::expr::Constant;
+use crate::numbers::count;
 use crate::plant::Plant;
 use crate::real::{Precision, Real};
 use crate::spec::Quantity;
 use crate::spec::reader::Table;
-use crate::window::count;
 
 /// The key as it is written.
 #[derive(Clone, Debug)]

@@ -17,23 +17,23 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use super::countdown::{self, Countdown};
-use super::noise;
 use super::window::{constants, refuse_unknowns, resolution_warnings, time_warning, verdict};
-use super::{Cannot, Feature, Keyed, Method, Moment};
-use crate::corrector::chain::Chain;
-use crate::corrector::design::{Built, Promise, Request, build};
-use crate::corrector::exact::Law;
-use crate::corrector::{After, Counting, law};
-use crate::describe::short;
-use crate::design::{Convergence, Design, NamedMatrix, Shape};
+use super::{Keyed, Method, Moment, noise};
 use crate::diagnostic::{Diagnostic, codes};
+use crate::estimator::Design;
+use crate::estimator::corrector::chain::Chain;
+use crate::estimator::corrector::design::{Built, Promise, Request, build};
+use crate::estimator::corrector::exact::Law;
+use crate::estimator::corrector::{After, Counting, law};
 use crate::expr::List;
+use crate::numbers::{count, seconds, short, trimmed};
 use crate::plant::Plant;
+use crate::plant::features::{Cannot, Feature};
+use crate::promise::{Convergence, NamedMatrix};
 use crate::real::{Matrix, Precision, Real};
+use crate::sampled::model::{Model, signals};
 use crate::spec::Quantity;
 use crate::spec::reader::Table;
-use crate::window::model::{Model, signals};
-use crate::window::{count, seconds, trimmed};
 
 /// Bits of what is reported of one step.
 const REPORTED_BITS: usize = 512;
@@ -133,7 +133,7 @@ impl Keyed for Keys {
     }
 
     fn cannot(&self, feature: Feature, plant: &Plant) -> Option<Cannot> {
-        crate::corrector::cannot(feature, plant)
+        crate::estimator::corrector::cannot(feature, plant)
     }
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {
@@ -192,7 +192,9 @@ impl Keyed for Keys {
             certificate,
             numerics,
             warnings,
-            shape: Shape::Corrector(Box::new(corrector)),
+            longer: Vec::new(),
+            phases: Vec::new(),
+            estimator: Arc::new(corrector),
         })
     }
 

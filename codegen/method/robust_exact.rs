@@ -6,33 +6,36 @@
 //!
 //! **Source.** Levant 2003 ("Higher-order sliding modes, differentiation and output-feedback control") for the law and
 //! its parameters; the implicit step of prescribed-time-observers, section 5; any plant by M and q (section 3), which
-//! take any correction that is a function of the innovation. See [`crate::corrector::sliding`].
+//! take any correction that is a function of the innovation. See [`crate::estimator::corrector::sliding`].
 //!
 //! **Conditions.** Those of `fixed-time-linear`, up to six states.
 //!
 //! **Holds.** No time is promised: it depends on the initial error. What is certain is the error after n calls whose
 //! innovations are small; the status says when that is so ([`Backward`]).
 
+use crate::spec::Chain;
 use std::sync::Arc;
 
 use super::order::{self, Order};
 use super::prescribed_time::{refuse_delays, refuse_several_outputs};
 use super::window::{constants, refuse_unknowns, resolution_warnings, time_warning, verdict};
-use super::{Cannot, Feature, Keyed, Method};
-use crate::corrector::design::{Built, Promise, Request, build, no_chain};
-use crate::corrector::exact::Law;
-use crate::corrector::sliding::{Backward, ExactSliding, ORDERS, Sliding};
-use crate::corrector::{Counting, Frame, Gain};
-use crate::describe::short;
-use crate::design::{Certificate, Convergence, Design, NamedMatrix, Settled, Shape};
+use super::{Keyed, Method};
 use crate::diagnostic::{Diagnostic, codes};
+use crate::estimator::Design;
+use crate::estimator::corrector::design::{Built, Promise, Request, build, no_chain};
+use crate::estimator::corrector::exact::Law;
+use crate::estimator::corrector::sliding::{Backward, ExactSliding, ORDERS, Sliding};
+use crate::estimator::corrector::{Counting, Frame, Gain};
 use crate::expr::Constant;
+use crate::numbers::{count, short};
+use crate::plant::features::{Cannot, Feature};
 use crate::plant::{Disturbance, Plant};
+use crate::promise::{Certificate, Convergence, NamedMatrix};
 use crate::real::Precision;
+use crate::sampled::model::signals;
+use crate::sampled::settled::Settled;
 use crate::spec::Quantity;
 use crate::spec::reader::Table;
-use crate::window::count;
-use crate::window::model::signals;
 
 /// The registry's entry.
 pub const METHOD: Method = Method {
@@ -71,8 +74,8 @@ fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
 }
 
 impl Keyed for Keys {
-    fn chain(&self) -> Option<usize> {
-        self.order.order
+    fn chain(&self) -> Chain {
+        Chain { order: self.order.order, key: Some("order"), instead: "leave out `order`" }
     }
 
     /// The highest derivative is what the chain does not know: a disturbance, unless one is declared.
@@ -92,7 +95,7 @@ impl Keyed for Keys {
     }
 
     fn cannot(&self, feature: Feature, plant: &Plant) -> Option<Cannot> {
-        crate::corrector::cannot(feature, plant)
+        crate::estimator::corrector::cannot(feature, plant)
     }
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {
@@ -150,7 +153,9 @@ impl Keyed for Keys {
             certificate: self.order.certain(certificate),
             numerics,
             warnings,
-            shape: Shape::Corrector(Box::new(corrector)),
+            longer: Vec::new(),
+            phases: Vec::new(),
+            estimator: Arc::new(corrector),
         })
     }
 }

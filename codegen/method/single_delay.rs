@@ -28,22 +28,25 @@ use std::sync::Arc;
 use super::window::{
     check_hold, fir, read_hold, refuse_unknowns, resolution_warnings, sensor_notes, time_warning, verdict, window_steps,
 };
-use super::{Cannot, Feature, Keyed, Method};
+use super::{Keyed, Method};
 use crate::decimal::show;
-use crate::describe::short;
-use crate::design::{Design, Shape};
 use crate::diagnostic::{Diagnostic, codes};
+use crate::estimator::Design;
+use crate::estimator::window::realize::{
+    self, ByInnovation, REALIZATION_CHOICES, REALIZATIONS, Realized, Request, WORDS, Wanted,
+};
+use crate::estimator::window::settle::{Bias, settle_runs};
+use crate::estimator::window::tune::{self, best_k};
 use crate::expr::Constant;
+use crate::numbers::{seconds, short, trimmed};
 use crate::plant::Plant;
+use crate::plant::features::{Cannot, Feature};
 use crate::real::Precision;
+use crate::sampled::coordinates::Coordinates;
+use crate::sampled::model::{Between, Model, signals_between};
+use crate::sampled::samples::refuse_much_work;
 use crate::spec::Quantity;
 use crate::spec::reader::Table;
-use crate::window::coordinates::Coordinates;
-use crate::window::model::{Between, Model, signals_between};
-use crate::window::realize::{self, ByInnovation, REALIZATION_CHOICES, REALIZATIONS, Realized, Request, WORDS, Wanted};
-use crate::window::settle::{Bias, settle_runs};
-use crate::window::tune::{self, best_k};
-use crate::window::{refuse_much_work, seconds, trimmed};
 use gaps::{is_linear, with_gaps};
 use plan::{Plan, refuse_gramian, rest};
 
@@ -200,7 +203,9 @@ impl Keyed for Keys {
             certificate,
             numerics,
             warnings,
-            shape: Shape::Window(Box::new(functional)),
+            longer: Vec::new(),
+            phases: Vec::new(),
+            estimator: Arc::new(functional),
         })
     }
 }

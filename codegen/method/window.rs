@@ -27,25 +27,30 @@ mod several;
 use std::ops::Range;
 use std::sync::Arc;
 
-use super::{Cannot, Feature, Keyed, Method};
+use super::{Keyed, Method};
 use crate::decimal::show;
-use crate::describe::short;
-use crate::design::{Convergence, Design, Fir, NamedMatrix, Shape};
 use crate::diagnostic::{Diagnostic, codes};
-use crate::expr::List;
-use crate::plant::Plant;
-use crate::program::Scalar;
-use crate::real::{Matrix, Precision, Real, equilibrated_columns, rank, singular_values};
-use crate::spec::Quantity;
-use crate::spec::reader::Table;
-use crate::window::minimax::best_rows;
-use crate::window::model::{Between, Model, signals_between};
-use crate::window::realize::{
+use crate::estimator::Design;
+use crate::estimator::window::minimax::best_rows;
+use crate::estimator::window::realize::{
     Form, LeastSquares, REALIZATION_CHOICES, REALIZATIONS, Realized, Request, WORDS, Wanted, realize,
 };
-use crate::window::settle::settle;
-use crate::window::solve::{Choice, observability, output_powers, trusted};
-use crate::window::{Functional, Part, Signal, Way, count, refuse_much_work, seconds, trimmed, whole_samples};
+use crate::estimator::window::settle::settle;
+use crate::estimator::window::solve::{Choice, trusted};
+use crate::estimator::window::{Functional, Way};
+use crate::expr::List;
+use crate::numbers::{count, seconds, short, trimmed};
+use crate::plant::Plant;
+use crate::plant::features::{Cannot, Feature};
+use crate::program::Scalar;
+use crate::promise::{Convergence, Fir, NamedMatrix};
+use crate::real::{Matrix, Precision, Real, equilibrated_columns, rank, singular_values};
+use crate::sampled::model::{Between, Model, signals_between};
+use crate::sampled::observability::{observability, output_powers};
+use crate::sampled::samples::{refuse_much_work, whole_samples};
+use crate::sampled::{Part, Signal};
+use crate::spec::Quantity;
+use crate::spec::reader::Table;
 use left_out::Missing;
 
 /// The registry's entry.
@@ -152,10 +157,13 @@ impl Keyed for Keys {
         let choice = self.choice(plant, &delays, steps)?;
         let (mut functional, exact, mut numerics) = settle(plant, &signals, &delays, steps, &choice)?;
         numerics.condition = condition;
+        let mut longer = Vec::new();
         for (steps, window) in all.iter().zip(&self.windows).skip(1) {
             verdict(plant, &delays, *steps, &window.span())?;
             let choice = self.choice(plant, &delays, *steps)?;
-            functional.longer.push(several::longer(plant, &signals, &delays, *steps, &choice)?);
+            let (window, promised) = several::longer(plant, &signals, &delays, *steps, &choice)?;
+            functional.longer.push(window);
+            longer.push(promised);
         }
         let form = self.form(&delays);
         let (wanted, span) = (self.wanted, self.wanted_span.clone());
@@ -176,7 +184,9 @@ impl Keyed for Keys {
             certificate,
             numerics,
             warnings: time_warning(plant).into_iter().chain(resolution_warnings(plant)).collect(),
-            shape: Shape::Window(Box::new(functional)),
+            longer,
+            phases: Vec::new(),
+            estimator: Arc::new(functional),
         })
     }
 }

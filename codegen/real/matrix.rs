@@ -287,18 +287,14 @@ pub(super) mod tests {
     use super::*;
 
     /// The matrix of the integers `numerators` over `denominator`, by rows.
-    pub(in crate::real) fn fractions<const C: usize>(
-        numerators: &[[i64; C]],
-        denominator: i64,
-        p: Precision,
-    ) -> Matrix {
+    pub(crate) fn fractions<const C: usize>(numerators: &[[i64; C]], denominator: i64, p: Precision) -> Matrix {
         Matrix::from_fn(numerators.len(), C, |i, j| {
             Real::from_i64(numerators[i][j], p) / Real::from_i64(denominator, p)
         })
     }
 
     /// Reproducible elements between -1 and 1.
-    pub(in crate::real) fn arbitrary(rows: usize, cols: usize, p: Precision) -> Matrix {
+    pub(crate) fn arbitrary(rows: usize, cols: usize, p: Precision) -> Matrix {
         let mut state = 7_u64;
         Matrix::from_fn(rows, cols, |_, _| {
             state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(99);
@@ -307,7 +303,7 @@ pub(super) mod tests {
     }
 
     /// `log2` of the largest difference relative to the largest element of `b`.
-    pub(in crate::real) fn distance(a: &Matrix, b: &Matrix) -> f64 {
+    pub(crate) fn distance(a: &Matrix, b: &Matrix) -> f64 {
         (a - b).max_abs().log2_abs() - b.max_abs().log2_abs()
     }
 

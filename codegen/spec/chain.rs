@@ -1,6 +1,6 @@
 //! A specification without a plant: the chain of integrators that stands for it.
 //!
-//! A method whose key `order` stands for the plant ([`Keyed::chain`](crate::method::Keyed::chain)) estimates the
+//! A method whose key `order` stands for the plant ([`Chain`]) estimates the
 //! output and its derivatives. The chain is written here as a user would write it: states `y`, `dy`, `d2y`, … each
 //! the derivative of the one before, and the output the first of them. Every later stage reads it like any plant.
 
@@ -8,9 +8,9 @@ use std::ops::Range;
 
 use super::identifiers::{LONGEST, check_identifier};
 use super::reader::Table;
-use super::{Disturbance, Input, Matrices, Named, Spec, State, Text};
+use super::{Chain, Disturbance, Input, Matrices, Named, Spec, State, Text};
 use crate::diagnostic::{Diagnostic, codes};
-use crate::emit::names::reserved;
+use crate::names::reserved;
 
 /// How a file gives the plant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,13 +38,13 @@ impl Form {
 }
 
 /// Puts the chain in the place of the plant that the file does not declare; mistakes are reported to `top`.
-pub(super) fn stand_in(spec: &mut Spec, order: usize, top: &Table) {
-    refuse_another_plant(spec, top);
+pub(super) fn stand_in(spec: &mut Spec, order: usize, chain: Chain, top: &Table) {
+    refuse_another_plant(spec, chain, top);
     if top.has("states") || top.has("plant") {
         return;
     }
     let [output] = spec.outputs.as_mut_slice() else {
-        return refuse_outputs(spec, top);
+        return refuse_outputs(spec, chain, top);
     };
     if let Some(value) = &output.value {
         let message = "the output of a chain of integrators is its first state";
@@ -58,18 +58,17 @@ pub(super) fn stand_in(spec: &mut Spec, order: usize, top: &Table) {
 }
 
 /// A file that gives the plant twice.
-fn refuse_another_plant(spec: &Spec, top: &Table) {
-    let keyed = &spec.observer.keyed;
+fn refuse_another_plant(spec: &Spec, chain: Chain, top: &Table) {
     let place: Range<usize> = spec.observer.method.span.clone();
     for key in ["states", "plant"].into_iter().filter(|key| top.has(key)) {
         let method = &spec.observer.method.value;
-        let (subject, label) = match keyed.chain_key() {
+        let (subject, label) = match chain.key {
             Some(key) => (format!("`{key}` in [observer.{method}]"), format!("`{key}` is given here")),
             None => (format!("[observer.{method}]"), "the method".to_owned()),
         };
         let message = format!("{subject} stands for a plant, and [{key}] is one");
         let error = Diagnostic::error(codes::BAD_COMBINATION, top.key_span(key), message);
-        top.report(error.context(place.clone(), label).help(keyed.instead_of_chain()));
+        top.report(error.context(place.clone(), label).help(chain.instead));
     }
     let inputs = spec.inputs.iter().map(|Input { named, .. }| (named, "input"));
     let unknowns = spec.unknowns.iter().map(|named| (named, "unknown"));
@@ -80,11 +79,11 @@ fn refuse_another_plant(spec: &Spec, top: &Table) {
     }
 }
 
-fn refuse_outputs(spec: &Spec, top: &Table) {
+fn refuse_outputs(spec: &Spec, chain: Chain, top: &Table) {
     // None at all is reported where outputs are read.
     let [_, second, ..] = spec.outputs.as_slice() else { return };
     let method = || format!("[observer.{}]", spec.observer.method.value);
-    let subject = spec.observer.keyed.chain_key().map_or_else(method, |key| format!("`{key}`"));
+    let subject = chain.key.map_or_else(method, |key| format!("`{key}`"));
     let message = format!("{subject} is for one output, and there are {}", spec.outputs.len());
     let error = Diagnostic::error(codes::BAD_COMBINATION, second.named.name.span.clone(), message);
     top.report(error.help("put each signal into a file of its own"));

@@ -3,8 +3,8 @@
 use super::reader::{Found, Table};
 use super::{Spec, Text};
 use crate::diagnostic::{Diagnostic, codes};
-use crate::emit::names;
 use crate::expr::Function;
+use crate::names;
 
 /// A name that only expressions use.
 pub(super) fn check_identifier(table: &Table, name: &Text) {

@@ -10,15 +10,14 @@ use super::identifiers::{check_identifier, check_name, check_names};
 use super::reader::{Found, Table};
 use super::sensor::Sensor;
 use super::{
-    Disturbance, Hold, Input, Matrices, Named, Observer, Output, Parameter, Settings, Spec, State, Target, Text,
+    Chain, Disturbance, Hold, Input, Matrices, Named, Observer, Output, Parameter, ReadKeys, Settings, Spec, State,
+    Target, Text,
 };
 use crate::diagnostic::{Diagnostic, Source, codes};
-use crate::expr::nearest;
-use crate::method;
 use crate::program::Scalar;
 
 /// Reads a specification; `None` when a part that everything else needs is missing or wrong.
-pub(super) fn read(source: &Source, settings: Settings, found: &Found) -> Option<Spec> {
+pub(super) fn read(source: &Source, settings: Settings, keys: ReadKeys, found: &Found) -> Option<Spec> {
     let (document, errors) = DeTable::parse_recoverable(&source.text);
     let mut in_order: Vec<_> = errors.iter().map(|error| (error.span().unwrap_or(0..0), error)).collect();
     in_order.sort_by_key(|(span, _)| span.start);
@@ -41,8 +40,8 @@ pub(super) fn read(source: &Source, settings: Settings, found: &Found) -> Option
     let origin = line(&mut top, "source");
     let parameters = read_parameters(&mut top);
     let matrices = read_matrices(&mut top);
-    let observer = read_observer(&mut top);
-    let form = Form::of(&top, matrices.as_ref(), observer.as_ref().map(|observer| observer.keyed.chain()));
+    let observer = read_observer(&mut top, keys);
+    let form = Form::of(&top, matrices.as_ref(), observer.as_ref().map(|(_, chain)| chain.order));
     let (states, next) = read_states(&mut top, matrices.as_ref(), form);
     let inputs = read_inputs(&mut top);
     let outputs = read_outputs(&mut top, form);
@@ -51,6 +50,7 @@ pub(super) fn read(source: &Source, settings: Settings, found: &Found) -> Option
     let target = read_target(&mut top);
     top.finish();
     let target = target?;
+    let (observer, chain) = observer?;
     let mut spec = Spec {
         source: source.clone(),
         name: name?,
@@ -64,11 +64,11 @@ pub(super) fn read(source: &Source, settings: Settings, found: &Found) -> Option
         unknowns,
         disturbances,
         matrices,
-        observer: observer?,
+        observer,
         target: Target { scalar: settings.scalar.unwrap_or(target.scalar), ..target },
     };
     if let Form::Chain(order) = form {
-        chain::stand_in(&mut spec, order, &whole());
+        chain::stand_in(&mut spec, order, chain, &whole());
     }
     check_names(&spec, found);
     Some(spec)
@@ -316,13 +316,12 @@ fn read_entries<T>(
     entries
 }
 
-fn read_observer(top: &mut Table) -> Option<Observer> {
+fn read_observer(top: &mut Table, keys: ReadKeys) -> Option<(Observer, Chain)> {
     if !top.has("observer") {
         top.missing("observer", "write `[observer.window]` with `window = …` s, or another method (`deadbeat list`)");
     }
     let mut table = top.table("observer", "[observer]")?;
     let entries = table.entries();
-    let known = || method::METHODS.iter().map(|m| m.name);
     match entries.as_slice() {
         [] => {
             let error = Diagnostic::error(codes::MISSING_KEY, table.span(), "[observer] names no method");
@@ -332,20 +331,10 @@ fn read_observer(top: &mut Table) -> Option<Observer> {
             None
         }
         [(name, value)] => {
-            let Some(method) = method::METHODS.iter().find(|m| m.name == name.value) else {
-                let message = format!("there is no observer method `{}`", name.value.escape_debug());
-                let diagnostic = Diagnostic::error(codes::UNKNOWN_METHOD, name.span.clone(), message);
-                table.report(match nearest(&name.value, known()) {
-                    Some(close) => diagnostic.help(format!("did you mean `{close}`?")).patch(name.span.clone(), close),
-                    None => diagnostic.help(format!("the methods are: {}", known().collect::<Vec<_>>().join(", "))),
-                });
-                return None;
-            };
-            let mut keys = table.entry_table(name, value)?.named(format!("[observer.{}]", method.name));
-            let ahead = keys.quantity("ahead");
-            let keyed = (method.read)(&mut keys);
-            keys.finish();
-            Some(Observer { method: name.clone(), keyed: keyed?, ahead })
+            let mut table = table.entry_table(name, value)?.named(format!("[observer.{}]", name.value));
+            let ahead = table.quantity("ahead");
+            let chain = keys(name, table)?;
+            Some((Observer { method: name.clone(), ahead }, chain))
         }
         [first, second, ..] => {
             let message = "a specification has one observer";

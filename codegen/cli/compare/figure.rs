@@ -1,6 +1,6 @@
 //! The figure of a contest: per quantity all estimates with the reference, and their errors below.
 
-use deadbeat_codegen::describe::short;
+use deadbeat_codegen::internals::numbers::short;
 
 use super::super::svg::{Cell, Column, Curve, Entry, Figure, Panel, Role};
 use super::super::thin::Thin;

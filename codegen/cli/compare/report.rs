@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use deadbeat_codegen::describe::short;
+use deadbeat_codegen::internals::numbers::short;
 use serde_json::{Value, json};
 
 use super::contest::{Contest, Quantity, Rival};

@@ -1,8 +1,8 @@
 //! Fields, cells and tables.
 
-use super::super::names;
 use super::super::text::{RAW_COUNT, c_comment, field as described, rows};
 use super::{C, TableText};
+use crate::names;
 use crate::program::{Cell, CellKind, Field, Kind, Table, TableId};
 
 /// A field of a struct: `float theta;` and what the comment behind it says.

@@ -1,8 +1,8 @@
 //! The step and the functions that it is split into.
 
-use super::super::names;
 use super::super::plan::{Access, Function};
 use super::{C, Part};
+use crate::names;
 
 impl C<'_> {
     /// A function that holds a part of the step or of the start.

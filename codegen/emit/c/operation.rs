@@ -1,8 +1,8 @@
 //! One operation as one C expression.
 
-use super::super::names;
 use super::super::plan::Place;
 use super::C;
+use crate::names;
 use crate::program::{Function, Op, Status, TableId, Value};
 
 impl C<'_> {

@@ -1,10 +1,10 @@
 //! The statements of one function.
 
-use super::super::names;
 use super::super::plan::{Function, Place};
 use super::super::split::Item;
 use super::super::text::c_comment;
 use super::C;
+use crate::names;
 use crate::program::{Carried, CellId, CellKind, Loop, Op, Statement, Value};
 
 impl C<'_> {

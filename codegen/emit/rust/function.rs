@@ -3,11 +3,11 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::super::names;
 use super::super::plan::{Access, Function, Reach};
 use super::item::scalar;
 use super::table::length;
 use super::{Rust, constant, ident};
+use crate::names;
 use crate::program::{CellKind, Kind, TableId};
 
 /// The largest size in bytes that clippy lets a function take by value.

@@ -3,7 +3,6 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::super::names;
 use super::super::plan::{Access, Place, Reach};
 use super::super::split::Item;
 use super::super::text::plain;
@@ -12,6 +11,7 @@ use super::item::{integer_name, scalar};
 use super::operation::field;
 use super::table::length;
 use super::{Rust, ident};
+use crate::names;
 use crate::program::{Carried, CellKind, Loop, Op, Statement, TableId, Type, Value};
 
 impl Rust<'_> {

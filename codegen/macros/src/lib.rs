@@ -5,9 +5,11 @@
 use std::path::Path;
 use std::str::FromStr as _;
 
-use deadbeat_codegen::describe;
-use deadbeat_codegen::emit::{self, Door};
-use deadbeat_codegen::{Generator, Settings};
+use deadbeat_codegen::Generator;
+use deadbeat_codegen::Settings;
+use deadbeat_codegen::internals::emit;
+use deadbeat_codegen::internals::emit::Door;
+use deadbeat_codegen::internals::output::header;
 use proc_macro::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 use syn::parse::{ParseStream, Parser as _};
 
@@ -41,7 +43,7 @@ fn expand(arguments: &str) -> Result<String, String> {
     let text = std::fs::read_to_string(&file).map_err(|error| format!("cannot read {}: {error}", file.display()))?;
     let generator = Generator::new(&text, &path).with(settings);
     let generated = generator.design().map_err(|report| report.render(false))?;
-    let header = describe::header(&generated, generator.source(), deadbeat_codegen::Language::Rust);
+    let header = header::header(&generated, generator.source(), deadbeat_codegen::Language::Rust);
     let items = emit::rust(&generated.program, &header, Door::Include);
     // The compiler expands again when the specification changes.
     Ok(format!("const _: &str = include_str!({:?});\n{items}", file.display().to_string()))

@@ -2,8 +2,8 @@
 
 use std::ops::Range;
 
-use crate::corrector::After;
 use crate::diagnostic::{Diagnostic, codes};
+use crate::estimator::corrector::After;
 use crate::spec::Quantity;
 use crate::spec::reader::Table;
 

@@ -6,10 +6,10 @@ use super::keys::{Keys, LawKeys};
 use crate::decimal::show;
 use crate::diagnostic::{Diagnostic, codes};
 use crate::expr::{Constant, List};
+use crate::numbers::count;
 use crate::plant::Plant;
 use crate::real::Rational;
 use crate::spec::Quantity;
-use crate::window::count;
 
 /// A law with its numbers.
 #[derive(Clone, Debug)]
@@ -60,7 +60,7 @@ pub(super) fn numbers(plant: &Plant, keys: &Keys, order: usize, found: &mut Vec<
             if let Some(root) = unstable(&values) {
                 let message = "the polynomial s^n + l_1 s^(n-1) + … + l_n is not stable";
                 let error = Diagnostic::error(codes::BAD_NUMBER, span.clone(), message).measured(root);
-                let label = format!("a root has the real part {}", crate::describe::short(root));
+                let label = format!("a root has the real part {}", crate::numbers::short(root));
                 found.push(
                     error.label(label).help("leave `l` out, or take one with all roots to the left, such as [2, 1]"),
                 );

@@ -1,9 +1,9 @@
 //! What the theory says of a differentiator, in words: 003 Theorem 1 for its gains, and the lag of its prediction.
 
-use crate::corrector::theorem1::{Inequalities, margin};
 use crate::decimal::show;
-use crate::describe::short;
+use crate::estimator::corrector::theorem1::{Inequalities, margin};
 use crate::method::countdown::{Countdown, Numbers};
+use crate::numbers::short;
 use crate::plant::Plant;
 use crate::real::{Precision, Rational, Real};
 

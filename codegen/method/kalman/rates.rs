@@ -3,15 +3,15 @@
 use super::super::constant::{Asked, design};
 use super::super::noise;
 use super::{METHOD, RESIDUAL, said_of, unsettled};
-use crate::corrector::exact::{Exact, Law};
-use crate::corrector::periodic::{Periodic, cycle, periodic};
-use crate::design::Design;
 use crate::diagnostic::{Diagnostic, codes};
+use crate::estimator::Design;
+use crate::estimator::corrector::exact::{Exact, Law};
+use crate::estimator::corrector::periodic::{Periodic, cycle, periodic};
 use crate::expr::Symbol;
+use crate::numbers::count;
 use crate::plant::Plant;
 use crate::real::Precision;
-use crate::window::count;
-use crate::window::model::Model;
+use crate::sampled::model::Model;
 
 /// The most calls of a cycle.
 const MOST_CALLS: usize = 1_000;

@@ -1,11 +1,11 @@
 //! Assumption 2 of 002: whether `det M(t)` of (5) vanishes, for factors of time; and the constants that say so.
 
 use super::super::window::VERDICT_BITS;
-use crate::parameters::paper::{Constants, Exosystem, Times, constants};
-use crate::parameters::stages::{Stages, Theorem};
+use crate::numbers::seconds;
 use crate::plant::Plant;
 use crate::real::{Precision, Real};
-use crate::window::seconds;
+use crate::sampled::unknowns::paper::{Constants, Exosystem, Times, constants};
+use crate::sampled::unknowns::stages::{Stages, Theorem};
 
 /// Calls at which det M(t) is looked at.
 const CALLS: usize = 20_000;

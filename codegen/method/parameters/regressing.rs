@@ -1,23 +1,25 @@
 //! Unknowns whose factors vary: the regression in the step, and what is promised of it.
 
+use std::sync::Arc;
+
 use super::super::window::{constants, resolution_warnings, time_warning};
 use super::{Frame, METHOD, summary};
 use crate::decimal::show;
-use crate::describe::short;
-use crate::design::{Certificate, Convergence, Design, Shape};
 use crate::diagnostic::{Diagnostic, codes};
+use crate::estimator::Design;
+use crate::estimator::window::regression::bound::noise_floors;
+use crate::estimator::window::regression::exact::Problem;
+use crate::estimator::window::regression::excitation::excitation;
+use crate::estimator::window::regression::{MOST, Regression};
 use crate::expr::List;
-use crate::parameters::augment::{own_states, varying};
-use crate::parameters::functions::Functions;
+use crate::numbers::{count, short, trimmed};
 use crate::plant::Plant;
 use crate::program::Scalar;
-use crate::regression::bound::noise_floors;
-use crate::regression::exact::Problem;
-use crate::regression::excitation::excitation;
-use crate::regression::{MOST, Regression};
+use crate::promise::{Certificate, Convergence};
+use crate::sampled::model::signals;
+use crate::sampled::unknowns::augment::{own_states, varying};
+use crate::sampled::unknowns::functions::Functions;
 use crate::spec::Quantity;
-use crate::window::model::signals;
-use crate::window::{count, trimmed};
 
 /// The default of `excitation` in single precision: responses are right to about 1e-6, the unknowns then to 1e-3.
 const SINGLE: f64 = 1e-3;
@@ -49,7 +51,9 @@ pub(super) fn design(plant: &Plant, frame: &Frame, excitation: Option<&Quantity>
         certificate: Certificate::default(),
         numerics,
         warnings: time_warning(plant).into_iter().chain(resolution_warnings(plant)).collect(),
-        shape: Shape::Regression(Box::new(regression)),
+        longer: Vec::new(),
+        phases: Vec::new(),
+        estimator: Arc::new(regression),
     })
 }
 

@@ -2,7 +2,7 @@
 //!
 //! Theorem 1 without delay, Theorem 2 with one, Theorem 3 in discrete time. With one unknown of constant
 //! factor W and rho are constants, and the two stages a functional with constant weights
-//! ([`crate::parameters::stages`]). With factors of time, Assumption 2 asks `det M(t)` never to vanish;
+//! ([`crate::sampled::unknowns::stages`]). With factors of time, Assumption 2 asks `det M(t)` never to vanish;
 //! it is looked at, and the joint form, which does not need it, is named.
 
 use std::ops::Range;
@@ -10,21 +10,23 @@ use std::ops::Range;
 use super::super::window::{VERDICT_BITS, delays, verdict, window_steps};
 use super::determinant::{continuous, vanishing};
 use super::{Frame, functional};
-use crate::design::{Design, NamedMatrix};
 use crate::diagnostic::{Diagnostic, codes};
+use crate::estimator::Design;
+use crate::estimator::window::realize::Wanted;
+use crate::estimator::window::settle::settle;
+use crate::estimator::window::solve::Choice;
 use crate::expr::Symbol;
-use crate::parameters::augment::{varying, without};
-use crate::parameters::identifiable;
-use crate::parameters::paper::Exosystem;
-use crate::parameters::stages::{Stages, Theorem};
+use crate::numbers::{count, seconds, trimmed};
 use crate::plant::Plant;
+use crate::promise::NamedMatrix;
 use crate::real::{Precision, Real, inverse};
+use crate::sampled::model::{Model, signals};
+use crate::sampled::samples::{refuse_much_work, whole_samples};
+use crate::sampled::unknowns::augment::{varying, without};
+use crate::sampled::unknowns::identifiable;
+use crate::sampled::unknowns::paper::Exosystem;
+use crate::sampled::unknowns::stages::{Stages, Theorem};
 use crate::spec::Quantity;
-use crate::window::model::{Model, signals};
-use crate::window::realize::Wanted;
-use crate::window::settle::settle;
-use crate::window::solve::Choice;
-use crate::window::{count, refuse_much_work, seconds, trimmed, whole_samples};
 
 /// The keys of the second stage.
 #[derive(Clone, Debug)]

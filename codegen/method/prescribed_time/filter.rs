@@ -3,23 +3,22 @@
 
 use std::ops::Range;
 
-use crate::corrector::design::Built;
-use crate::corrector::deviation::{Deviations, Noisy};
-use crate::corrector::exact::Exact;
-use crate::corrector::riccati::{Noise, closed_loop, contracts, first_covariance, steady, transient};
-use crate::corrector::schedule::Schedule;
-use crate::corrector::{After, Counting};
 use crate::decimal::show;
-use crate::describe::short;
 use crate::diagnostic::{Diagnostic, codes};
+use crate::estimator::corrector::design::Built;
+use crate::estimator::corrector::deviation::{Deviations, Noisy};
+use crate::estimator::corrector::exact::Exact;
+use crate::estimator::corrector::riccati::{Noise, closed_loop, contracts, first_covariance, steady, transient};
+use crate::estimator::corrector::schedule::Schedule;
+use crate::estimator::corrector::{After, Counting};
 use crate::expr::Constant;
 use crate::method::noise;
+use crate::numbers::{count, short};
 use crate::plant::Plant;
 use crate::real::{Matrix, Precision, Real};
+use crate::sampled::model::Model;
 use crate::spec::Quantity;
 use crate::spec::reader::Table;
-use crate::window::count;
-use crate::window::model::Model;
 
 /// The law's row of the keys' table.
 pub(super) const KALMAN: (&str, &str, &str) = (
@@ -142,7 +141,7 @@ impl Keys {
 
 /// The law `kalman`.
 #[derive(Clone, Debug)]
-pub(in crate::method) struct Law {
+pub(crate) struct Law {
     noise: noise::Model,
     /// Per state.
     deviations: Vec<Constant>,
@@ -178,7 +177,7 @@ fn readout(plant: &Plant, p: Precision) -> Matrix {
 }
 
 /// The steady gain of a handover.
-pub(in crate::method) fn handover(
+pub(crate) fn handover(
     plant: &Plant,
     noise: &noise::Model,
     model: &Model,
@@ -209,7 +208,7 @@ pub(super) fn check(plant: &Plant, keys: &Keys, counting: Counting, after: &Rang
 
 /// Refuses to hold a gain with which the error grows.
 pub(super) fn refuse_growth(plant: &Plant, exact: &Exact, counting: Counting) -> Result<(), Vec<Diagnostic>> {
-    let crate::corrector::exact::Law::Table(gains) = &exact.law else { return Ok(()) };
+    let crate::estimator::corrector::exact::Law::Table(gains) = &exact.law else { return Ok(()) };
     let last = gains.last().filter(|_| counting.after == After::Hold);
     if last.is_none_or(|gain| contracts(&closed_loop(&exact.model.phi, &exact.model.c, gain))) {
         return Ok(());
@@ -220,7 +219,7 @@ pub(super) fn refuse_growth(plant: &Plant, exact: &Exact, counting: Counting) ->
 }
 
 /// What white noise leaves of the estimate, and what a table would, which is called so; two lines at most.
-pub(in crate::method) fn notes(
+pub(crate) fn notes(
     plant: &Plant,
     built: &Built,
     law: Option<&Law>,

@@ -1,25 +1,29 @@
 //! Measurements at irregular times: 000 Theorem 2 for a nonlinear plant, least squares over what is there for a linear one.
 
 use std::ops::RangeInclusive;
+use std::sync::Arc;
 
 use super::plan::Plan;
 use super::{Intermittent, Keys, METHOD};
 use crate::decimal::show;
-use crate::describe::short;
-use crate::design::{Certificate, Convergence, Design, NamedMatrix, Shape};
 use crate::diagnostic::{Diagnostic, Level, codes};
+use crate::estimator::Design;
+use crate::estimator::window::intermittent::{Condition, Lifted, noise_gains};
+use crate::estimator::window::irregular::{self, Pattern};
+use crate::estimator::window::settle::settle;
+use crate::estimator::window::solve::{Choice, Exact};
+use crate::estimator::window::{Functional, Gaps, tune};
 use crate::expr::Symbol;
 use crate::method::window::{resolution_warnings, time_warning};
+use crate::numbers::{count, seconds, short, trimmed};
 use crate::plant::Plant;
+use crate::promise::kernel::slope;
+use crate::promise::{Certificate, Convergence, NamedMatrix};
 use crate::real::{Matrix, Precision, Real, singular_values};
+use crate::sampled::Signal;
+use crate::sampled::coordinates::{Blocks, Coordinates};
+use crate::sampled::samples::whole_samples;
 use crate::spec::Quantity;
-use crate::window::certificate::slope;
-use crate::window::coordinates::{Blocks, Coordinates};
-use crate::window::intermittent::{Condition, Lifted, noise_gains};
-use crate::window::irregular::{self, Pattern};
-use crate::window::settle::settle;
-use crate::window::solve::{Choice, Exact};
-use crate::window::{Functional, Gaps, Signal, count, seconds, trimmed, tune, whole_samples};
 
 impl Keys {
     /// Whether measurements at irregular times are enough, and what that makes of the functional.
@@ -271,7 +275,9 @@ impl Intermittent {
             certificate,
             numerics,
             warnings: time_warning(plant).into_iter().chain(resolution_warnings(plant)).collect(),
-            shape: Shape::Window(Box::new(functional)),
+            longer: Vec::new(),
+            phases: Vec::new(),
+            estimator: Arc::new(functional),
         })
     }
 }

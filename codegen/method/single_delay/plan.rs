@@ -3,18 +3,18 @@
 use std::ops::Range;
 
 use super::Keys;
-use crate::design::NamedMatrix;
 use crate::diagnostic::{Diagnostic, codes};
+use crate::estimator::window::continuous::Form;
+use crate::estimator::window::innovation::{Innovation, SingleDelay};
+use crate::estimator::window::solve::Exact;
+use crate::estimator::window::tune;
 use crate::expr::Constant;
 use crate::plant::Plant;
+use crate::promise::NamedMatrix;
 use crate::real::{Matrix, Precision, Real, Singular, inverse};
-use crate::window::Signal;
-use crate::window::continuous::Form;
-use crate::window::coordinates::Coordinates;
-use crate::window::innovation::{Innovation, SingleDelay};
-use crate::window::model::Model;
-use crate::window::solve::Exact;
-use crate::window::tune;
+use crate::sampled::Signal;
+use crate::sampled::coordinates::Coordinates;
+use crate::sampled::model::Model;
 
 /// What a design has decided before its numbers are exact.
 pub(super) struct Plan {

@@ -4,10 +4,11 @@ use std::ops::Range;
 
 use crate::decimal::show;
 use crate::diagnostic::{Diagnostic, codes};
+use crate::estimator::window::irregular::degree;
 use crate::expr::{Constant, Symbol};
+use crate::numbers::{count, seconds};
 use crate::plant::{Aged, Output, Plant};
-use crate::window::irregular::degree;
-use crate::window::{Signal, count, seconds};
+use crate::sampled::Signal;
 
 /// The most states of a plant that is no chain of integrators.
 const MOST_STATES: usize = 3;

@@ -1,19 +1,21 @@
 //! `missing = "left-out"`: least squares over the samples that are there, solved in the step.
 
 use std::ops::Range;
+use std::sync::Arc;
 
-use super::super::{Cannot, Feature};
 use super::{Keys, METHOD, Weighting, constants, fir, resolution_warnings, time_warning};
-use crate::describe::short;
-use crate::design::{Convergence, Design, Shape};
 use crate::diagnostic::{Diagnostic, codes};
+use crate::estimator::Design;
+use crate::estimator::window::irregular::{self, Irregular, Pattern, certify};
+use crate::estimator::window::realize::Wanted;
+use crate::estimator::window::settle::settle;
+use crate::estimator::window::solve::Choice;
+use crate::numbers::{count, seconds, short, trimmed};
 use crate::plant::Plant;
-use crate::window::irregular::{self, Irregular, Pattern, certify};
-use crate::window::model::Between;
-use crate::window::realize::Wanted;
-use crate::window::settle::settle;
-use crate::window::solve::Choice;
-use crate::window::{Signal, count, seconds, trimmed};
+use crate::plant::features::{Cannot, Feature};
+use crate::promise::Convergence;
+use crate::sampled::Signal;
+use crate::sampled::model::Between;
 
 /// What becomes of a missing sample.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -89,7 +91,7 @@ impl Keys {
         let delays = pattern.delays().to_vec();
         let (mut functional, exact, mut numerics) = settle(plant, signals, &delays, steps, &Choice::LeastSquares)?;
         numerics.condition = condition;
-        let mut irregular = irregular::design(plant, signals, steps, pattern)?;
+        let irregular = irregular::design(plant, signals, steps, pattern)?;
         let certified = certify(plant, &functional, &irregular, &exact);
         let certified = certified.filter(|_| irregular.pivot >= 16.0 * irregular::limit(plant));
         let Some((mut certificate, phases)) = certified else {
@@ -100,11 +102,9 @@ impl Keys {
             // Other times of samples may cost more.
             certificate.error_bound = vec![None; plant.states.len()];
         }
-        if phases.len() > 1 {
-            irregular.phases = phases;
-        }
-        let regular = irregular.phases.is_empty();
-        let notes = notes(&irregular, steps);
+        let phases = if phases.len() > 1 { phases } else { Vec::new() };
+        let regular = phases.is_empty();
+        let notes = notes(&irregular, phases.len(), steps);
         functional.irregular = Some(irregular);
         let h = plant.sample_time_s();
         let window = trimmed(seconds(steps, h));
@@ -125,7 +125,9 @@ impl Keys {
             certificate,
             numerics,
             warnings: time_warning(plant).into_iter().chain(resolution_warnings(plant)).collect(),
-            shape: Shape::Window(Box::new(functional)),
+            longer: Vec::new(),
+            phases,
+            estimator: Arc::new(functional),
         })
     }
 
@@ -192,7 +194,7 @@ fn hardly_determined(plant: &Plant, irregular: &Irregular, window: &Range<usize>
 }
 
 /// What the header says of it.
-fn notes(irregular: &Irregular, steps: usize) -> Vec<String> {
+fn notes(irregular: &Irregular, period: usize, steps: usize) -> Vec<String> {
     let mut notes = vec![
         "a missing sample is left out: with fewer samples the gains are larger, without noise the estimate is as exact"
             .to_owned(),
@@ -201,7 +203,6 @@ fn notes(irregular: &Irregular, steps: usize) -> Vec<String> {
     if irregular.ages.iter().any(Option::is_some) {
         notes.push("each sample counts at its own time; the gains are of samples of age 0".to_owned());
     }
-    let period = irregular.phases.len();
     if period > 1 {
         notes.push(format!(
             "gains at the worst of {period} phases with the samples that are due, {} calls a window; `design` has each",

@@ -4,12 +4,12 @@ use std::ops::Range;
 
 use crate::decimal::show;
 use crate::diagnostic::{Diagnostic, codes};
+use crate::estimator::window::irregular::Pattern;
 use crate::expr::Symbol;
+use crate::numbers::count;
 use crate::plant::Plant;
 use crate::real::Precision;
-use crate::window::count;
-use crate::window::irregular::Pattern;
-use crate::window::model::Model;
+use crate::sampled::model::Model;
 
 use super::VERDICT_BITS;
 

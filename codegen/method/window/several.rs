@@ -3,12 +3,15 @@
 use super::{seconds, settle, trimmed, window_steps};
 use crate::decimal::show;
 use crate::diagnostic::{Diagnostic, codes};
+use crate::estimator::window::Functional;
+use crate::estimator::window::certificate::certify;
+use crate::estimator::window::solve::Choice;
+use crate::numbers::count;
 use crate::plant::Plant;
+use crate::promise::OfWindow;
+use crate::sampled::Signal;
 use crate::spec::Quantity;
 use crate::spec::reader::Table;
-use crate::window::certificate::certify;
-use crate::window::solve::Choice;
-use crate::window::{Longer, Signal, count};
 
 /// The most windows over one buffer.
 const MOST: usize = 8;
@@ -73,10 +76,10 @@ pub(super) fn longer(
     delays: &[usize],
     steps: usize,
     choice: &Choice,
-) -> Result<Longer, Vec<Diagnostic>> {
+) -> Result<(Functional, OfWindow), Vec<Diagnostic>> {
     let (functional, exact, _) = settle(plant, signals, delays, steps, choice)?;
     let certificate = certify(plant, &functional, &exact);
-    Ok(Longer { functional, certificate })
+    Ok((functional, OfWindow { steps, certificate }))
 }
 
 /// From when on the longer windows' estimates are their own.

@@ -1,0 +1,301 @@
+//! How an estimation error moves from call to call, and what is left of an initial one.
+//!
+//! `e = (I - K C) Phi e`: noise v enters by -K v, a disturbance by (I - K C) before its correction.
+//!
+//! All of it is in doubles, in coordinates in which the size of an error is the root mean square of what it does to
+//! the outputs over the next n calls: there the step itself is well scaled, whatever the units. What is left of an
+//! initial error is measured over all calls until the promised one.
+
+use super::exact::Exact;
+use super::schedule::Schedule;
+use crate::dense::{Rows as Dense, add_magnitudes, dot, frobenius, identity, orthonormalised, product};
+use crate::plant::Plant;
+use crate::promise::CONTRACTED;
+use crate::promise::kernel::Kernel;
+use crate::real::{Matrix, Precision, Real, inverse, orthonormal};
+use crate::sampled::Signal;
+
+/// Calls over which the size of an error is measured, at most; spread over all until V.
+const MOST_LOOKS: usize = 256;
+
+/// Multiplications spent on the calls of a recovery.
+const MOST_RECOVERY: usize = 20_000_000;
+/// Places of a countdown from which a recovery is followed.
+const MOST_PLACES: usize = 64;
+
+/// How the errors move.
+pub struct Errors<'a> {
+    pub(super) plant: &'a Plant,
+    pub(super) signals: &'a [Signal],
+    /// Coordinates from states and states from coordinates, n x n.
+    pub(super) to: Dense,
+    pub(super) back: Dense,
+    /// Coordinates of the size over all calls from these, and states from those; n x n.
+    far: Dense,
+    far_to: Dense,
+    phi: Dense,
+    c: Dense,
+    /// Per signal: its effects at the beginning and at the end of an interval, n x 1, in states.
+    effects: Vec<[Vec<f64>; 2]>,
+    /// K, n x p, of the calls after the first sample, and of those that follow, over and over; in the coordinates.
+    lead: Vec<Dense>,
+    pub(super) cycle: Vec<Dense>,
+}
+
+/// What is left of an initial error at a call.
+#[derive(Clone, Debug)]
+pub struct Remaining {
+    /// Of the worst initial error of the states that the first sample does not show, in size; at that call or later.
+    pub share: f64,
+    /// Per state, per initial error of a state.
+    pub by_state: Dense,
+}
+
+/// Sums of magnitudes, per state.
+#[derive(Clone, Debug)]
+pub(super) struct Sums {
+    /// Per output.
+    pub(super) noise: Dense,
+    /// Per output, of squares.
+    pub(super) squares: Dense,
+    /// Per disturbance.
+    pub(super) disturbances: Dense,
+    /// Per signal.
+    pub(super) signals: Dense,
+}
+
+impl Sums {
+    pub(super) fn new(plant: &Plant, signals: usize) -> Self {
+        let zeros = |columns: usize| vec![vec![0.0; columns]; plant.states.len()];
+        let p = plant.outputs.len();
+        Self {
+            noise: zeros(p),
+            squares: zeros(p),
+            disturbances: zeros(plant.disturbances.len()),
+            signals: zeros(signals),
+        }
+    }
+
+    fn add_noise(&mut self, gains: &Dense) {
+        add_magnitudes(&mut self.noise, gains);
+        self.squares.iter_mut().flatten().zip(gains.iter().flatten()).for_each(|(sum, gain)| *sum += gain * gain);
+    }
+}
+
+impl<'a> Errors<'a> {
+    /// For a design and its schedule; `None` where the coordinates cannot be formed.
+    pub fn new(plant: &'a Plant, signals: &'a [Signal], exact: &Exact, schedule: &Schedule) -> Option<Self> {
+        let model = &exact.model;
+        let n = plant.states.len();
+        let (to, back) = coordinates(&model.phi, &model.c, n)?;
+        let (far, far_back) = coordinates(&model.phi, &model.c, schedule.lead.len().max(n))?;
+        let effect = |part: &Option<Matrix>| match part {
+            Some(column) => column.iter().map(Real::to_f64).collect(),
+            None => vec![0.0; n],
+        };
+        let effects = model.effects.iter().map(|e| [effect(&e.at_begin), effect(&e.at_end)]).collect();
+        let phi = (&(&to * &model.phi) * &back).to_f64();
+        let c = (&model.c * &back).to_f64();
+        let (far, far_to) = ((&far * &back).to_f64(), (&to * &far_back).to_f64());
+        let (to, back) = (to.to_f64(), back.to_f64());
+        let of = |gains: &[Dense]| gains.iter().map(|gain| product(&to, gain)).collect();
+        let (lead, cycle) = (of(&schedule.lead), of(&schedule.cycle));
+        Some(Self { plant, signals, to, back, far, far_to, phi, c, effects, lead, cycle })
+    }
+
+    /// n.
+    pub(super) fn order(&self) -> usize {
+        self.phi.len()
+    }
+
+    /// What is left of an initial error at a call.
+    pub fn remaining(&self, call: usize) -> Remaining {
+        let mut transition = identity(self.order());
+        for k in 1..=call {
+            transition = product(&self.transition(k), &transition);
+        }
+        let mut remaining = self.left(&transition);
+        // A slower gain afterwards may let it rise again before it falls.
+        let most = MOST_RECOVERY / self.order().pow(3);
+        let mut fallen = 0;
+        for k in call + 1..=call + most {
+            transition = product(&self.transition(k), &transition);
+            let share = self.left(&transition).share;
+            remaining.share = remaining.share.max(share);
+            fallen = if share <= 0.5 * remaining.share { fallen + 1 } else { 0 };
+            if fallen > self.cycle.len() {
+                break;
+            }
+        }
+        remaining
+    }
+
+    /// The first call at which at most this share is left; `None` when there is none among so many.
+    pub fn reaches(&self, share: f64, most: usize) -> Option<usize> {
+        let mut transition = identity(self.order());
+        for call in 0..=most {
+            if call > 0 {
+                transition = product(&self.transition(call), &transition);
+            }
+            if self.left(&transition).share <= share {
+                return Some(call);
+            }
+        }
+        None
+    }
+
+    /// Calls that leave no more of any error than the first convergence did, where the last gains go on; a millionth is
+    /// enough.
+    pub fn recovery(&self, valid: usize, share: f64) -> usize {
+        // A countdown that goes round is met anywhere.
+        let stride = self.cycle.len().div_ceil(MOST_PLACES);
+        let places = (0..self.cycle.len()).step_by(stride);
+        let slowest = places.map(|place| self.recovered(valid + place, share.max(CONTRACTED))).max();
+        slowest.unwrap_or(1) + stride - 1
+    }
+
+    /// Calls after one that leave no more than a share of any error.
+    fn recovered(&self, from: usize, share: f64) -> usize {
+        let most = MOST_RECOVERY / self.order().pow(3) / self.cycle.len().min(MOST_PLACES);
+        let mut transition = identity(self.order());
+        for call in 1..=most {
+            transition = product(&self.transition(from + call), &transition);
+            if frobenius(&product(&product(&self.far, &transition), &self.far_to)) <= share {
+                return call;
+            }
+        }
+        most.max(1)
+    }
+
+    fn left(&self, transition: &Dense) -> Remaining {
+        let by_state = product(&product(&self.back, transition), &self.to);
+        let hidden: Vec<usize> = (0..self.order()).filter(|i| self.plant.states[*i].measured.is_empty()).collect();
+        if hidden.is_empty() {
+            return Remaining { share: 0.0, by_state };
+        }
+        // Errors of these states alone, by their size over all calls.
+        let columns: Dense =
+            product(&self.far, &self.to).iter().map(|row| hidden.iter().map(|j| row[*j]).collect()).collect();
+        let far = product(&product(&self.far, transition), &self.far_to);
+        Remaining { share: frobenius(&product(&far, &orthonormalised(&columns))), by_state }
+    }
+
+    /// The spectral radius of the last gain's transition, or of a whole cycle's.
+    pub fn radius(&self) -> f64 {
+        let calls = self.lead.len() + 1..=self.lead.len() + self.cycle.len();
+        let first = self.transition(*calls.start());
+        let step = calls.skip(1).fold(first, |step, call| product(&self.transition(call), &step));
+        let n = step.len();
+        let matrix = nalgebra::DMatrix::from_fn(n, n, |i, j| step[i][j]);
+        matrix.complex_eigenvalues().iter().map(|z| (z.re * z.re + z.im * z.im).sqrt()).fold(0.0, f64::max)
+    }
+
+    /// The gain of a call, from 1.
+    pub(super) fn gain(&self, call: usize) -> &Dense {
+        match self.lead.get(call - 1) {
+            Some(gain) => gain,
+            None => &self.cycle[(call - 1 - self.lead.len()) % self.cycle.len()],
+        }
+    }
+
+    /// I - K C of a call.
+    fn correction(&self, call: usize) -> Dense {
+        let mut correction = identity(self.order());
+        for (row, gain) in correction.iter_mut().zip(self.gain(call)) {
+            for (j, entry) in row.iter_mut().enumerate() {
+                *entry -= gain.iter().zip(&self.c).map(|(gain, c)| gain * c[j]).sum::<f64>();
+            }
+        }
+        correction
+    }
+
+    /// (I - K C) Phi of a call.
+    pub(super) fn transition(&self, call: usize) -> Dense {
+        product(&self.correction(call), &self.phi)
+    }
+
+    /// Adds what entered at a call for rows that lead from its estimate to what is asked for; gives the rows that lead
+    /// from the estimate of the call before. `begun` is what a signal's value did by the interval that it began.
+    pub(super) fn enter(
+        &self,
+        sums: &mut Sums,
+        rows: &Dense,
+        begun: &mut Dense,
+        call: usize,
+        kernel: Option<&Kernel>,
+    ) -> Dense {
+        sums.add_noise(&product(rows, self.gain(call)));
+        let rows = product(rows, &self.correction(call));
+        let acc = product(&rows, &self.to);
+        if let Some(kernel) = kernel {
+            kernel.add(&acc, &mut sums.disturbances);
+        }
+        for (s, [begin, end]) in self.effects.iter().enumerate() {
+            for (i, row) in acc.iter().enumerate() {
+                sums.signals[i][s] += (begun[i][s] + dot(row, end)).abs();
+                begun[i][s] = dot(row, begin);
+            }
+        }
+        product(&rows, &self.phi)
+    }
+
+    /// Sums of magnitudes in the estimate of a call over what entered in the last `calls` of them; with the first
+    /// sample, where that is all. Also the rows that lead from what was before.
+    pub(super) fn at(&self, call: usize, calls: usize, kernel: Option<&Kernel>) -> (Sums, Dense) {
+        let mut sums = Sums::new(self.plant, self.signals.len());
+        let mut rows = self.back.clone();
+        let mut begun: Dense = vec![vec![0.0; self.signals.len()]; rows.len()];
+        for k in (call + 1 - calls..=call).rev() {
+            rows = self.enter(&mut sums, &rows, &mut begun, k, kernel);
+        }
+        self.finish(&mut sums, &rows, &begun, calls == call);
+        (sums, rows)
+    }
+
+    /// Adds what the oldest interval's signals began, and the first sample where it is the one before.
+    pub(super) fn finish(&self, sums: &mut Sums, rows: &Dense, begun: &Dense, started: bool) {
+        add_magnitudes(&mut sums.signals, begun);
+        if started {
+            sums.add_noise(&product(&product(rows, &self.to), &self.starts()));
+        }
+    }
+
+    /// Whether every call has the same gain.
+    pub(super) fn is_constant(&self) -> bool {
+        self.cycle.len() == 1 && self.lead.iter().all(|gain| *gain == self.cycle[0])
+    }
+
+    /// The weights of the first sample in the state at the start, n x p.
+    fn starts(&self) -> Dense {
+        let p = self.plant.outputs.len();
+        let row = |state: &crate::plant::State| {
+            let mut row = vec![0.0; p];
+            state.measured.iter().for_each(|(o, weight)| row[*o] = weight.to_f64().unwrap_or(0.0));
+            row
+        };
+        self.plant.states.iter().map(row).collect()
+    }
+}
+
+/// Coordinates in which the size of an error is the root mean square of the outputs over so many calls, from states;
+/// and states from them.
+fn coordinates(phi: &Matrix, c: &Matrix, calls: usize) -> Option<(Matrix, Matrix)> {
+    let p = Precision::bits(512);
+    let (phi, mut row) = (phi.with_precision(p), c.with_precision(p));
+    let stride = calls.div_ceil(MOST_LOOKS).max(1);
+    let far = phi.powi(u64::try_from(stride).ok()?);
+    let mut rows = row.clone();
+    // The first n calls in any case: fewer would not show every state.
+    for _ in 1..phi.rows() {
+        row = &row * &phi;
+        rows = rows.vcat(&row);
+    }
+    for _ in (phi.rows()..calls).step_by(stride) {
+        row = &row * &far;
+        rows = rows.vcat(&row);
+    }
+    let (_, back) = orthonormal(&rows).ok()?;
+    let looks = Real::from_i64(i64::try_from(rows.rows()).ok()?, p).checked_sqrt().ok()?;
+    let back = back.scale(&looks);
+    Some((inverse(&back).ok()?, back))
+}

@@ -1,0 +1,390 @@
+//! A corrector as a Program.
+//!
+//! One step: look at the samples, predict the state, evaluate what depends on the samples of now, correct by the
+//! innovation, and say how good the estimate is. All of it is branch-free.
+//!
+//! **Start.** The first call with a good sample of every output takes the state from it: what it shows, and `initial`
+//! for the rest. The k-th good call after it has r = N - k steps left.
+//!
+//! **Missing samples.** Without a good sample nothing is corrected, and the countdown waits: the deadline moves by the
+//! calls without one. The estimate is `Coasting` until so many good calls in a row that what is left of any error is
+//! what the first convergence left. A prediction outside the output's range starts the observer again, and so does a
+//! state beyond the floats' guard.
+//!
+//! **Turns, gates, rates.** See `turn`, `gate` and `rates`.
+//!
+//! **Sliding.** Under the sliding law an innovation that is not explained
+//! makes both counts begin again, and one wider than the output's range starts the observer again.
+
+mod gain;
+mod gate;
+mod given;
+mod known;
+mod rates;
+mod turn;
+
+use crate::diagnostic::Diagnostic;
+use crate::plant::Plant;
+use crate::program::builder::Builder;
+use crate::program::{CellId, Program, Status, Value};
+use crate::sampled::settled::{Settled, round};
+use crate::step::ahead::Ahead;
+use crate::step::guard::Guard;
+use crate::step::injections::Injections;
+use crate::step::report::{field, start};
+use crate::step::{front, injections};
+
+use super::{Corrector, Frame, Gain, guard};
+
+/// Lowers a design for its plant; constants that the target's floats cannot hold are reported.
+///
+/// # Errors
+/// What the guard or the injections' constants report.
+pub fn lower(plant: &Plant, design: &Corrector, ahead: Option<&Ahead>) -> Result<Program, Vec<Diagnostic>> {
+    let guard = guard::bound(plant, design)?;
+    injections::check(plant)?;
+    let mut builder = Builder::new(&plant.name, plant.scalar, round(&plant.sample_time.0, plant.scalar));
+    let cells = Cells::declare(&mut builder, plant, design);
+    for output in &plant.outputs {
+        builder.measurement(front::measurement(output));
+    }
+    for input in &plant.inputs {
+        builder.input(field(&input.label.name, &input.label.unit, &input.label.doc));
+    }
+    let mut lowering = Lowering { plant, design, guard, builder, cells, ahead };
+    lowering.step();
+    lowering.init_at();
+    Ok(lowering.builder.finish())
+}
+
+/// The state of a corrector.
+struct Cells {
+    /// n.
+    state: Vec<CellId>,
+    /// Calls of the countdown that are left.
+    left: CellId,
+    /// Good calls, at most one more than convergence takes.
+    good: CellId,
+    /// Good calls in a row, likewise.
+    clean: CellId,
+    /// Per output: the last value that stood for a sample.
+    outputs: Vec<CellId>,
+    /// Per signal: its value at the last call.
+    signals: Vec<CellId>,
+    /// Per input: the last good value.
+    inputs: Vec<CellId>,
+    /// Calls since init.
+    calls: CellId,
+    /// Per output: samples rejected in a row, where they are looked at.
+    rejected: Vec<Option<CellId>>,
+    /// Calls since the newest accepted sample.
+    coasted: CellId,
+    /// 1 from a start by an estimate until the first good call, where there is such a start.
+    given: Option<CellId>,
+    /// Calls since every output was due.
+    phase: CellId,
+    /// Per output that is not due at every call: the calls until it is.
+    due: Vec<Option<CellId>>,
+}
+
+impl Cells {
+    fn declare(b: &mut Builder, plant: &Plant, design: &Corrector) -> Self {
+        let scaled = matches!(design.frame, Frame::Chain { .. });
+        let initial = |i: usize| round(&plant.states[i].initial, plant.scalar);
+        let state = (0..plant.states.len()).map(|i| {
+            let label = &plant.states[i].label;
+            if scaled {
+                let doc = format!("{} in the units of {}", ordinal(i), plant.outputs[0].label.name);
+                return b.float_cell(&format!("xi{}", i + 1), &doc, 0.0);
+            }
+            b.float_cell(&label.name, &format!("{} as last estimated", label.name), initial(i))
+        });
+        let state = state.collect();
+        let lead = calls(design.counting.lead());
+        let left = b.index_cell("left", "calls of the countdown that are left", lead);
+        let good = b.index_cell("good", &format!("good calls, at most {}", design.valid + 1), 0);
+        let clean = b.index_cell("clean", &format!("good calls in a row, at most {}", design.recovery), 0);
+        let outputs = plant.outputs.iter().enumerate().map(|(o, output)| {
+            let name = &output.label.name;
+            let initial = injections::initial_output(plant, o, plant.scalar);
+            b.float_cell(&format!("last_{name}"), &format!("the last {name}, measured or predicted"), initial)
+        });
+        let outputs = outputs.collect();
+        let signals = (0..design.signals.len()).map(|s| {
+            b.float_cell(&format!("last_known{s}"), &format!("{} of the last call", design.signals[s].text), 0.0)
+        });
+        let signals = signals.collect();
+        let inputs = plant.inputs.iter();
+        let inputs = inputs
+            .map(|input| b.float_cell(&format!("last_{}", input.label.name), "the last good value", 0.0))
+            .collect();
+        let calls = b.index_cell("calls", "calls since init", 0);
+        let rejected = gate::cells(b, plant, design);
+        let coasted = b.index_cell("coasted", "calls since the newest accepted sample", 0);
+        let phase = b.index_cell("phase", "calls since every output was due", 0);
+        let due = rates::cells(b, plant);
+        let given = plant.init_at.then(|| b.index_cell("given", "1 from a given state until the first good call", 0));
+        Self { state, left, good, clean, outputs, signals, inputs, calls, rejected, coasted, given, phase, due }
+    }
+}
+
+/// A scaled derivative in words.
+fn ordinal(i: usize) -> String {
+    match i {
+        0 => "the signal".to_owned(),
+        _ => format!("the sample time to the power {i} times derivative {i}, in implicit Euler's coordinates,"),
+    }
+}
+
+/// A number of calls as a Program has it.
+fn calls(count: usize) -> u32 {
+    u32::try_from(count).unwrap_or_else(|_| unreachable!("the prescribed time is bounded"))
+}
+
+struct Lowering<'a> {
+    plant: &'a Plant,
+    design: &'a Corrector,
+    guard: Guard,
+    builder: Builder,
+    cells: Cells,
+    /// How the answer is moved.
+    ahead: Option<&'a Ahead>,
+}
+
+/// What is known of a call before it is corrected.
+struct Predicted {
+    /// Per output: the sample, or a prediction of it.
+    outputs: Vec<Value>,
+    /// Per output: whether there is a sample.
+    good: Vec<Value>,
+    /// Whether there is one of every output that is due.
+    measured: Value,
+    /// Whether there is one of every output.
+    complete: Value,
+    /// Whether everything was good.
+    fine: Value,
+    /// Whether a sample was rejected for the last time: the observer starts again with it.
+    jumped: Value,
+    /// z-, n.
+    state: Vec<Value>,
+    /// Per input: what was used.
+    inputs: Vec<Value>,
+}
+
+impl Lowering<'_> {
+    fn step(&mut self) {
+        let predicted = self.predict();
+        self.builder.section("correction by the innovation");
+        let (innovation, lost) = self.innovation(&predicted);
+        let (corrections, left) = self.correct(&innovation, predicted.measured);
+        let corrected: Vec<Value> =
+            predicted.state.iter().zip(corrections).map(|(x, more)| self.builder.add(*x, more)).collect();
+        let corrected = self.turned_back(corrected);
+        self.builder.section("the first sample starts the observer; so does a state beyond all bounds");
+        let again = self.starts_again(&innovation, &corrected, lost);
+        let state = self.store(&predicted, &corrected, (again, left));
+        let calm = self.calm(&innovation);
+        let counts = self.count(&predicted, again, calm);
+        self.report(&state, &predicted, counts);
+    }
+
+    fn constant(&mut self, value: Settled) -> Value {
+        self.builder.float(value.value(self.plant.scalar))
+    }
+
+    /// Adds weights times values to the terms of a sum.
+    fn push_products(&mut self, terms: &mut Vec<Value>, weights: &[Option<Settled>], values: &[Value]) {
+        for (weight, value) in weights.iter().zip(values) {
+            if let Some(weight) = weight {
+                let weight = self.constant(*weight);
+                terms.push(self.builder.mul(weight, *value));
+            }
+        }
+    }
+
+    /// Weights times values.
+    fn products(&mut self, grid: &[Vec<Option<Settled>>], values: &[Value]) -> Vec<Value> {
+        let rows = grid.iter().map(|row| {
+            let mut terms = Vec::new();
+            self.push_products(&mut terms, row, values);
+            self.builder.sum(&terms)
+        });
+        rows.collect()
+    }
+
+    /// y - C z-, within half a turn, and 0 where there is no sample; per output. And whether the state is not to be carried
+    /// on: a missing sample is not to be predicted, the state turns too fast to be seen, or the samples have jumped.
+    fn innovation(&mut self, predicted: &Predicted) -> (Vec<Value>, Value) {
+        let shown = self.shown(&predicted.state);
+        let lost = self.lost(predicted, &shown);
+        let spun = self.spun(&shown);
+        let lost = self.builder.or(lost, spun);
+        let lost = self.builder.or(lost, predicted.jumped);
+        let none = self.builder.float(0.0);
+        let each = shown.iter().enumerate().map(|(o, shown)| {
+            let difference = self.builder.sub(predicted.outputs[o], *shown);
+            let difference = front::folded(&mut self.builder, &self.plant.outputs[o], difference, self.plant.scalar);
+            self.builder.select(predicted.good[o], difference, none)
+        });
+        (each.collect(), lost)
+    }
+
+    /// C z, per output.
+    fn shown(&mut self, state: &[Value]) -> Vec<Value> {
+        let design = self.design;
+        match design.frame {
+            Frame::Plant { .. } => self.products(&design.output, state),
+            Frame::Chain { .. } => vec![state[0]],
+        }
+    }
+
+    /// Whether a sample is missing whose prediction no sample could be.
+    fn lost(&mut self, predicted: &Predicted, shown: &[Value]) -> Value {
+        let mut lost = self.builder.boolean(false);
+        let ranges = self.plant.outputs.iter().map(|output| output.range.is_some()).collect::<Vec<_>>();
+        for o in (0..ranges.len()).filter(|o| ranges[*o]) {
+            let (low, high) = self.guard.outputs[o];
+            let sane = self.builder.in_range(shown[o], low, high);
+            let covered = self.builder.or(predicted.good[o], sane);
+            let astray = self.builder.not(covered);
+            lost = self.builder.or(lost, astray);
+        }
+        lost
+    }
+
+    /// Whether the observer has no state yet, or one that nothing reasonable leads to.
+    fn starts_again(&mut self, innovation: &[Value], corrected: &[Value], lost: Value) -> Value {
+        let bound = self.guard.bound;
+        let none = self.builder.index(0);
+        let good = self.builder.read(self.cells.good);
+        let waiting = self.builder.index_equal(good, none);
+        let waiting = self.without_a_state(waiting);
+        let mut again = self.builder.or(waiting, lost);
+        if let Some(width) = self.farthest() {
+            let near = self.builder.in_range(innovation[0], -width, width);
+            let far = self.builder.not(near);
+            again = self.builder.or(again, far);
+        }
+        for value in corrected {
+            let sane = self.builder.in_range(*value, -bound, bound);
+            let wild = self.builder.not(sane);
+            again = self.builder.or(again, wild);
+        }
+        again
+    }
+
+    /// How wide the output's range is, where the law takes longer the larger the error: a prediction further off than that is
+    /// worse than none.
+    fn farthest(&self) -> Option<f64> {
+        let sliding = matches!(self.design.gain, Gain::Sliding { .. }) && self.plant.outputs[0].range.is_some();
+        let (low, high) = self.guard.outputs[0];
+        sliding.then(|| self.plant.scalar_value(high - low))
+    }
+
+    /// The state after this call: corrected, or the start.
+    fn store(
+        &mut self,
+        predicted: &Predicted,
+        corrected: &[Value],
+        (again, left): (Value, Option<Value>),
+    ) -> Vec<Value> {
+        let (starts, rests) = (self.starts(&predicted.outputs), self.rests());
+        let mut state = Vec::new();
+        for (i, value) in corrected.iter().enumerate() {
+            let start = self.builder.select(predicted.complete, starts[i], rests[i]);
+            let value = self.builder.select(again, start, *value);
+            self.builder.set(self.cells.state[i], value);
+            state.push(value);
+        }
+        if let Some(left) = left {
+            let lead = self.builder.index(calls(self.design.counting.lead()));
+            let left = self.builder.select(again, lead, left);
+            self.builder.set(self.cells.left, left);
+        }
+        state
+    }
+
+    /// Whether noise and what the law allows for explain the innovation; always, for a gain that does not ask.
+    fn calm(&mut self, innovation: &[Value]) -> Value {
+        let Gain::Sliding { calm, .. } = self.design.gain else { return self.builder.boolean(true) };
+        let calm = self.plant.scalar_value(calm);
+        self.builder.in_range(innovation[0], -calm, calm)
+    }
+
+    /// Counts the good calls since the start, and those in a row.
+    fn count(&mut self, predicted: &Predicted, again: Value, calm: Value) -> [Value; 2] {
+        let (none, one) = (self.builder.index(0), self.builder.index(1));
+        let most = calls(self.design.valid + 1);
+        let first = self.builder.select(predicted.complete, one, none);
+        let good = self.builder.read(self.cells.good);
+        let more = self.builder.count_up(good, most);
+        let more = self.builder.select(calm, more, one);
+        let good = self.builder.select(predicted.measured, more, good);
+        let good = self.builder.select(again, first, good);
+        self.builder.set(self.cells.good, good);
+        // Since the start nothing has been missing: the first convergence alone counts.
+        let recovered = calls(self.design.recovery);
+        let clean = self.builder.read(self.cells.clean);
+        let more = self.builder.count_up(clean, recovered);
+        let more = self.builder.select(calm, more, one);
+        let clean = self.builder.select(predicted.fine, more, none);
+        let all = self.builder.index(recovered);
+        let clean = self.builder.select(again, all, clean);
+        self.builder.set(self.cells.clean, clean);
+        let calls = self.builder.read(self.cells.calls);
+        let calls = self.builder.count_up(calls, u32::MAX);
+        self.builder.set(self.cells.calls, calls);
+        self.count_coasted(predicted);
+        self.has_begun(predicted, again);
+        [good, clean]
+    }
+
+    /// The state from a first sample, per state.
+    fn starts(&mut self, outputs: &[Value]) -> Vec<Value> {
+        if let Frame::Chain { start, .. } = &self.design.frame {
+            let mut starts = self.rests();
+            starts[0] = if start[0].is_none() { outputs[0] } else { self.builder.add(starts[0], outputs[0]) };
+            return starts;
+        }
+        (0..self.plant.states.len()).map(|i| start(&mut self.builder, self.plant, i, outputs)).collect()
+    }
+
+    /// The state without a sample, per state.
+    fn rests(&mut self) -> Vec<Value> {
+        let design = self.design;
+        if let Frame::Chain { start, .. } = &design.frame {
+            return start.iter().map(|entry| self.constant(entry.unwrap_or_default())).collect();
+        }
+        let initial = self.plant.states.iter().map(|state| round(&state.initial, self.plant.scalar));
+        initial.collect::<Vec<_>>().into_iter().map(|value| self.builder.float(value)).collect()
+    }
+
+    /// The estimate, and what it is worth.
+    fn report(&mut self, state: &[Value], predicted: &Predicted, [good, clean]: [Value; 2]) {
+        self.builder.section("the estimate");
+        let design = self.design;
+        let mut estimate = match &design.frame {
+            Frame::Plant { .. } => state.to_vec(),
+            Frame::Chain { readout, .. } => self.products(readout, state),
+        };
+        if let Some(ahead) = self.ahead {
+            let injections = Injections::new(self.plant, self.cells.calls, predicted.inputs.clone());
+            estimate = ahead.moved(&mut self.builder, self.plant, &estimate, &injections, &predicted.outputs);
+        }
+        for (state, value) in self.plant.states.iter().zip(estimate) {
+            self.builder.estimate(field(&state.label.name, &state.label.unit, &state.label.doc), value);
+        }
+        if self.plant.coasted {
+            let coasted = self.builder.read(self.cells.coasted);
+            let doc = "calls since the newest accepted sample";
+            self.builder.estimate(field("coasted", "", doc), coasted);
+        }
+        let [converged, coasting, converging] =
+            [Status::Converged, Status::Coasting, Status::Converging].map(|status| self.builder.status(status));
+        let [enough, recovered] = [design.valid, design.recovery - 1].map(|count| self.builder.index(calls(count)));
+        let (known, undisturbed) = (self.builder.index_less(enough, good), self.builder.index_less(recovered, clean));
+        let working = self.builder.select(undisturbed, converged, coasting);
+        let status = self.builder.select(known, working, converging);
+        self.builder.report(status);
+    }
+}

@@ -1,0 +1,154 @@
+//! A start from a given state: the model runs from it, with inputs and nonlinear terms, until samples have determined
+//! the estimate; the window fills meanwhile, and no way of summing it knows of the start.
+
+use crate::plant::Plant;
+use crate::program::builder::Builder;
+use crate::program::{CellId, Value};
+use crate::sampled::carry::Carry;
+use crate::step::given;
+
+use super::{Lowering, Sampled, kept_len};
+use crate::sampled::{Part, Source};
+use crate::step::injections::{Injections, Moment, Samples};
+
+/// What is kept of a given state.
+pub(crate) struct Given {
+    /// Per state of the model's run.
+    pub(crate) state: Vec<CellId>,
+    /// 0, or while the model runs 1; 2 where the caller vouched.
+    pub(crate) running: CellId,
+    /// One call of the model.
+    carry: Carry,
+    /// The run of this call.
+    run: Option<Run>,
+}
+
+/// The model's run at one call.
+#[derive(Clone)]
+struct Run {
+    state: Vec<Value>,
+    /// Whether it is what is known of the state.
+    active: Value,
+    /// Whether the caller vouched for it.
+    vouched: Value,
+}
+
+impl Given {
+    /// Declares the cells.
+    pub(crate) fn declare(b: &mut Builder, plant: &Plant, carry: Carry) -> Self {
+        let state = plant.states.iter().map(|state| {
+            let (name, unit) = (&state.label.name, crate::step::cells::bracketed(&state.label.unit));
+            b.float_cell(&format!("given_{name}"), &format!("{name} as the model has it from a given state{unit}"), 0.0)
+        });
+        let state = state.collect();
+        let doc = "1 while the model runs from a given state, 2 if that was vouched for";
+        let running = b.index_cell("given", doc, 0);
+        Self { state, running, carry, run: None }
+    }
+}
+
+impl Lowering<'_> {
+    /// Carries the given state to this call; before anything is stored.
+    pub(crate) fn run_given(&mut self, sampled: &Sampled) {
+        let Some(mut given) = self.given.take() else { return };
+        self.builder.section("from the given state, until there is an estimate");
+        let slot = self.builder.retreat(sampled.newest, kept_len(self.functional));
+        let begin: Vec<Value> = (0..self.functional.signals.len()).map(|s| self.begun(s, slot, sampled)).collect();
+        let b = &mut self.builder;
+        let before: Vec<Value> = given.state.iter().map(|cell| b.read(*cell)).collect();
+        let next = given.carry.next(b, self.plant.scalar, &before, (&begin, &sampled.signals));
+        let state = given::turned_back(b, self.plant, next);
+        let (running, none, one) = (b.read(given.running), b.index(0), b.index(1));
+        let mut active = b.index_less(none, running);
+        for value in &state {
+            let sane = b.in_range(*value, -self.guard.bound, self.guard.bound);
+            active = b.and(active, sane);
+        }
+        let vouched = b.index_less(one, running);
+        given.run = Some(Run { state, active, vouched });
+        self.given = Some(given);
+    }
+
+    /// What a signal brought at the last call. An input that runs straight is taken to have been what it is at the first
+    /// call, before which nothing is known of it.
+    fn begun(&mut self, s: usize, slot: Value, sampled: &Sampled) -> Value {
+        let before = self.cells.signals[s].read(&mut self.builder, slot);
+        let signal = &self.functional.signals[s];
+        if !matches!((signal.source, signal.part), (Source::Input(_), Part::Runs)) {
+            return before;
+        }
+        let (calls, none) = (self.builder.read(self.cells.calls), self.builder.index(0));
+        let first = self.builder.index_equal(calls, none);
+        self.builder.select(first, sampled.signals[s], before)
+    }
+
+    /// Whether the model runs from a given state, by the call before; false where none is given.
+    pub(crate) fn runs_given(&mut self) -> Option<Value> {
+        self.given.as_ref()?.run.as_ref().map(|run| run.active)
+    }
+
+    /// Ends the run where samples determine the estimate, and keeps it for the next call elsewhere.
+    pub(crate) fn end_given(&mut self, over: Value) {
+        let Some(Given { state, running, run: Some(run), .. }) = &mut self.given else { return };
+        let b = &mut self.builder;
+        let goes_on = b.not(over);
+        run.active = b.and(run.active, goes_on);
+        run.vouched = b.and(run.active, run.vouched);
+        let (zero, none, before) = (b.float(0.0), b.index(0), b.read(*running));
+        let kept = b.select(run.active, before, none);
+        b.set(*running, kept);
+        for (cell, value) in state.iter().zip(&run.state) {
+            let kept = b.select(run.active, *value, zero);
+            b.set(*cell, kept);
+        }
+    }
+
+    /// The model's run in the place of an estimate, while it is what is known.
+    pub(super) fn or_given(&mut self, state: usize, estimate: Value) -> Value {
+        let Some(Given { run: Some(run), .. }) = &self.given else { return estimate };
+        self.builder.select(run.active, run.state[state], estimate)
+    }
+
+    /// Whether the estimate has converged, by samples or by the caller's word.
+    pub(super) fn or_vouched(&mut self, determined: Value) -> Value {
+        let Some(Given { run: Some(run), .. }) = &self.given else { return determined };
+        self.builder.or(determined, run.vouched)
+    }
+
+    /// Writes the start from a given state, where there is one; `more` adds what a method keeps besides.
+    pub(crate) fn init_at(&mut self, more: impl FnOnce(&mut Builder, &[Value])) {
+        let Self { plant, functional, guard, builder, cells, given: Some(given), .. } = self else { return };
+        let (plant, bound) = (*plant, guard.bound);
+        builder.init_at(|b| {
+            b.section("the given state");
+            let (state, vouched) = given::state(b, plant, bound);
+            for (cell, value) in given.state.iter().zip(&state) {
+                b.set(*cell, *value);
+            }
+            let (one, two) = (b.index(1), b.index(2));
+            let running = b.select(vouched, two, one);
+            b.set(given.running, running);
+            b.section("what it shows, and what that makes of the nonlinear terms");
+            let slot = b.index(kept_len(functional) - 1);
+            let mut outputs = Vec::new();
+            for (o, range) in guard.outputs.iter().enumerate() {
+                let shown = given::shown(b, plant, &state, o, *range);
+                // What arrives late was sampled before: nothing is known of it.
+                if functional.delays[o] == 0 {
+                    cells.outputs[o].put(b, slot, shown);
+                }
+                outputs.push(shown);
+            }
+            let zeros = plant.inputs.iter().map(|_| b.float(0.0)).collect();
+            let injections = Injections::new(plant, cells.calls, zeros);
+            for (signal, kept) in functional.signals.iter().zip(&cells.signals) {
+                let (Source::Injection(k), Part::Runs | Part::Curves) = (signal.source, signal.part) else { continue };
+                let value = injections.evaluate(b, k, &Moment::Given, Samples::These(&outputs));
+                let (sane, zero) = (b.in_range(value, -bound, bound), b.float(0.0));
+                let value = b.select(sane, value, zero);
+                kept.write(b, slot, value);
+            }
+            more(b, &state);
+        });
+    }
+}

@@ -1,0 +1,13 @@
+//! Everything of a step that is not the estimator: what is read, guarded, replaced and reported.
+//!
+//! Knows the plant's sensors and the builder of Programs. Never knows how a state comes from samples.
+
+pub mod ahead;
+pub mod cells;
+pub mod front;
+pub mod given;
+pub mod guard;
+pub mod injections;
+pub mod logic;
+pub mod missing;
+pub mod report;
