@@ -4,7 +4,7 @@
 //! spec text -> Spec -> Plant -> Design -> Program -> .rs, .h + .c, .step
 //! ```
 //!
-//! Text in, a list of files out; only [`build`], [`Output::write_to`] and [`Output::verify`], the macro and
+//! Text in, a list of files out; only [`Build`], [`Output::write_to`] and [`Output::verify`], the macro and
 //! the command line touch the disk. Start at [`Generator`].
 
 /// The rooms of the generator, for its own tests and tools. They promise nothing: any of it may change with any version.
@@ -36,7 +36,7 @@ use internals::{
     decimal, dense, emit, estimator, expr, method, names, numbers, output, plant, real, sampled, spec, step,
 };
 
-pub use build::build;
+pub use build::{Build, build};
 pub use diagnostic::{Report, Source};
 pub use estimator::{Design, Estimator};
 #[doc(inline)]

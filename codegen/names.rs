@@ -4,7 +4,6 @@
 //! parameter or a function. What stands at file scope is the generator's, and carries the
 //! specification's name in C: `pendulum_step`, `PENDULUM_WINDOW`.
 
-use super::c::math;
 use crate::program::{Program, Statement, Table, TableId, Value};
 
 /// The names of one Program's output.
@@ -22,13 +21,13 @@ pub(super) struct Names {
 const OWN: [&str; 5] = ["H", "SAMPLE_TIME", "CONVERGING", "CONVERGED", "COASTING"];
 
 impl Names {
-    /// The names of a Program.
-    pub fn new(program: &Program) -> Self {
+    /// The names of a Program; some are taken by what a language needs beside it.
+    pub fn new(program: &Program, is_taken: impl Fn(&str) -> bool) -> Self {
         let mut tables: Vec<String> = vec![];
         for Table { name, .. } in &program.tables {
             let numbered = (2..).map(|number: u32| format!("{name}_{number}"));
             let mut candidates = std::iter::once(name.clone()).chain(numbered);
-            let is_free = |name: &String| !is_own(name) && !tables.contains(name);
+            let is_free = |name: &String| !OWN.contains(&name.as_str()) && !is_taken(name) && !tables.contains(name);
             let free = candidates.find(is_free);
             tables.push(free.unwrap_or_else(|| unreachable!("there are names without end")));
         }
@@ -52,15 +51,10 @@ impl Names {
         format!("t{:0digits$}", value.0, digits = self.digits)
     }
 
-    /// A part of the runtime's C source with this prefix in place of its own.
+    /// A part of the elementary functions in C with this prefix in place of its own.
     pub fn adopt(&self, source: &str) -> String {
         source.replace("deadbeat_", &format!("{}_", self.lower)).replace("DEADBEAT_", &format!("{}_", self.upper))
     }
-}
-
-/// Whether a name at file scope is taken by the generator or by the runtime's C source.
-fn is_own(name: &str) -> bool {
-    OWN.contains(&name) || math::defines(&format!("DEADBEAT_{name}"))
 }
 
 /// The largest number of a value.

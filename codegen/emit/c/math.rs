@@ -73,9 +73,9 @@ pub fn closure(functions: BTreeSet<String>) -> impl Iterator<Item = &'static Par
     PARTS.iter().filter(move |part| wanted.contains(part.name))
 }
 
-/// Whether a name, with the prefix, is taken by a part.
-pub fn defines(name: &str) -> bool {
-    DEFINED.contains_key(name)
+/// Whether a part has a constant or table of this name, without the prefix.
+pub fn is_taken(name: &str) -> bool {
+    DEFINED.contains_key(&*format!("DEADBEAT_{name}"))
 }
 
 /// The names with the prefix that stand in a text, as often as they do.
