@@ -9,9 +9,8 @@ use std::path::Path;
 use std::process::Command;
 use std::{env, fs};
 
-use deadbeat_codegen::Generator;
-use deadbeat_codegen::Language;
 use deadbeat_codegen::promise::Fir;
+use deadbeat_codegen::{Generator, Language};
 
 /// Compilers and flags that are tried; a compiler that is not there is named and left out.
 const BUILDS: [(&str, &[&str]); 6] = [

@@ -1,4 +1,6 @@
 //! The build script's door: `deadbeat_codegen::build("specs/motor.toml")`, and [`Build`] for all that can be said.
+//!
+//! Knows the calls of a generator, the environment of a build script. Never knows a design from the inside.
 
 mod pattern;
 
@@ -138,7 +140,9 @@ impl Build {
                 let path = if path.is_dir() { path.join("*.toml") } else { path.clone() };
                 rerun_if_changed(pattern::folder(&path));
                 let files = pattern::files(&path)?;
-                files.iter().for_each(|file| rerun_if_changed(file));
+                for file in &files {
+                    rerun_if_changed(file);
+                }
                 Ok(files)
             }
         }))?;

@@ -3,20 +3,14 @@
 //! Text for people on standard output, diagnostics on standard error. Exit 0 fine, 1 the
 //! specification or the data is wrong, 2 what is on disk differs, 3 wrong usage.
 
-mod columns;
 mod commands;
 mod compare;
 mod estimate;
-mod figure;
 mod files;
-mod interface;
 mod progress;
-mod recording;
-mod replay;
 mod report;
 mod run;
-mod svg;
-mod thin;
+mod signals;
 
 use std::fs;
 use std::io::{self, IsTerminal as _, Read as _, Write as _};

@@ -1,4 +1,6 @@
 //! Decimal text to an exact rational: `0.1` is one tenth.
+//!
+//! Knows digits and exponents. Never knows what a number is for.
 
 use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;

@@ -1,5 +1,7 @@
 //! A user's mistake as data: a code, the place, a measured number, a way out.
 //!
+//! Knows texts, places in them, numbers. Never knows what a rule is about, nor the terminal.
+//!
 //! In: what a stage found. Out: text for people ([`Report::render`]), JSON for machines
 //! ([`Report::to_json`]). All mistakes of one stage travel together; a stage with a mistake has no
 //! output, so nothing half-checked reaches the next.
@@ -225,7 +227,7 @@ impl Report {
     }
 
     /// The report for machines: one object per diagnostic, in an array.
-    #[cfg(feature = "cli")]
+    #[cfg(feature = "json")]
     pub fn to_json(&self) -> serde_json::Value {
         self.objects().into()
     }
@@ -236,7 +238,7 @@ impl Report {
         own.chain(self.others.iter().flat_map(Self::objects)).collect()
     }
 
-    #[cfg(feature = "cli")]
+    #[cfg(feature = "json")]
     fn one_to_json(&self, diagnostic: &Diagnostic) -> serde_json::Value {
         let (line, column) = self.source.position(diagnostic.labels[0].span.start);
         let patch = diagnostic

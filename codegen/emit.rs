@@ -1,5 +1,7 @@
 //! The emitters: a Program in, the text of one language out.
 //!
+//! Knows a finished Program, the header that it is given, one language each. Never knows a plant, a design or a method.
+//!
 //! An emitter spells and lays out; an emitter that computes is a bug. Every operation of the
 //! Program becomes one statement, in the Program's order, with the same temporaries `t0`, `t1`, …
 //! in both languages, so that the two files can be compared line for line. Constants have no

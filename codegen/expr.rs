@@ -1,5 +1,7 @@
 //! Right-hand sides: what a user may write in an expression, exactly.
 //!
+//! Knows what can be written, names once they are given. Never knows what a name stands for.
+//!
 //! In: text in a literal string. Out: a syntax tree with spans ([`parse`]), and from it, once the
 //! names are known, a tree of [`Node`]s, each with its canonical polynomial ([`Poly`]): decimals
 //! are rationals, `b1*(i + 2*i)` is linear, `q^2 - q*q` vanishes. No float appears here.
@@ -102,8 +104,8 @@ pub fn nearest<'a>(word: &str, choices: impl IntoIterator<Item = &'a str>) -> Op
         .min_by_key(|choice| (edit_distance(word, choice), usize::MAX - common(choice), *choice))
 }
 
-/// Levenshtein distance.
-fn edit_distance(a: &str, b: &str) -> usize {
+/// How many letters have to be inserted, removed or replaced to turn `a` into `b` (Levenshtein).
+pub fn edit_distance(a: &str, b: &str) -> usize {
     let b: Vec<char> = b.chars().collect();
     let mut row: Vec<usize> = (0..=b.len()).collect();
     for (i, ca) in a.chars().enumerate() {

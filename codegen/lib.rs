@@ -1,5 +1,7 @@
 //! deadbeat: one specification in, a step function out that has converged by a time its user chose.
 //!
+//! Knows the order of the stages. Never knows what one does.
+//!
 //! ```text
 //! spec text -> Spec -> Plant -> Design -> Program -> .rs, .h + .c, .step
 //! ```
@@ -17,6 +19,7 @@ pub mod internals {
     pub mod emit;
     pub mod estimator;
     pub mod expr;
+    pub mod generated;
     pub mod method;
     pub mod names;
     pub mod numbers;
@@ -31,14 +34,19 @@ pub mod internals {
 }
 
 mod build;
+#[cfg(feature = "replay")]
+pub mod figure;
+#[cfg(feature = "replay")]
+pub mod replay;
 
 use internals::{
-    decimal, dense, emit, estimator, expr, method, names, numbers, output, plant, real, sampled, spec, step,
+    decimal, dense, emit, estimator, expr, generated, method, names, numbers, output, plant, real, sampled, spec, step,
 };
 
 pub use build::{Build, build};
 pub use diagnostic::{Report, Source};
 pub use estimator::{Design, Estimator};
+pub use generated::{Generated, VERSION};
 #[doc(inline)]
 pub use internals::{diagnostic, program, promise};
 pub use method::{METHODS, Method, Moment};
@@ -46,35 +54,14 @@ pub use output::{Difference, File, Language, Output, write_whole};
 pub use plant::Plant;
 pub use spec::Settings;
 
-use program::Program;
 use promise::one_count::OneCount;
 use step::ahead::Ahead;
-
-/// The tool's version, which every generated file names.
-pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// One specification on its way to code.
 #[derive(Clone, Debug)]
 pub struct Generator {
     source: Source,
     settings: Settings,
-}
-
-/// Everything between a specification and its files.
-#[derive(Clone, Debug)]
-pub struct Generated {
-    /// The plant, exactly.
-    pub plant: Plant,
-    /// The observer, exactly.
-    pub design: Design,
-    /// What a step does.
-    pub program: Program,
-    /// What one count of a quantised output does.
-    pub one_count: OneCount,
-    /// What was said beside the specification.
-    pub settings: Settings,
-    /// Warnings; no errors.
-    pub report: Report,
 }
 
 impl Generator {

@@ -1,11 +1,14 @@
 //! The registry of observer methods: one line each.
 //!
+//! Knows its keys, which estimator it asks for, with which numbers. Never knows how a step is written, nor a language.
+//!
 //! A method is one file: what it is, its keys, its design. It reads its own table of the
 //! specification ([`Method::read`]) and gives something that designs ([`Keyed`]).
 
 pub mod adaptive_window;
 pub mod alpha_beta;
 mod baseline;
+mod between;
 mod constant;
 pub mod countdown;
 pub mod differentiator;

@@ -1,5 +1,7 @@
 //! Every rule about names in generated code.
 //!
+//! Knows what Rust and C can carry. Never knows what a name stands for.
+//!
 //! A user's name becomes a field of a struct, as it is, and nothing else: it cannot meet a local, a
 //! parameter or a function. What stands at file scope is the generator's, and carries the
 //! specification's name in C: `pendulum_step`, `PENDULUM_WINDOW`.

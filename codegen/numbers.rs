@@ -1,4 +1,6 @@
-//! Numbers as people read them: counts, times, significant digits. Knows no plant and no mathematics.
+//! Numbers as people read them: counts, times, significant digits.
+//!
+//! Knows how people read numbers. Never knows a plant, nor any mathematics.
 
 /// A count as a number for messages.
 #[expect(clippy::cast_precision_loss, reason = "counts of samples and bits are far below 2^53")]

@@ -1,4 +1,6 @@
 //! The files of a specification: made in memory, all or none, written or compared on request.
+//!
+//! Knows what a specification became, paths. Never knows how anything in a file was computed.
 
 pub mod header;
 
@@ -6,9 +8,9 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
-use crate::Generated;
 use crate::diagnostic::Source;
 use crate::emit::{self, Door};
+use crate::generated::Generated;
 use crate::program::listing::listing;
 
 /// What a file is written in.

@@ -1,5 +1,8 @@
 //! The plant: `x' = A x + B u + c + phi(y, u, t) + sum eps gamma`, `y = C x`, exactly.
 //!
+//! Knows the specification, exact coefficients, sensors, what may be asked of them. Never knows how a state is
+//! estimated, nor a float.
+//!
 //! In: a [`Spec`]. Out: a [`Plant`] that no longer shows whether it was written as equations or as
 //! matrices. Every coefficient is an exact [`Constant`]; a zero is a structural zero.
 

@@ -1,5 +1,7 @@
 //! Multiprecision reals and the small dense matrices built on them.
 //!
+//! Knows digits, small matrices. Never knows what a number is for.
+//!
 //! Every constant the generator emits is computed here, at a precision far above the one it is
 //! printed in, and rounded to the target format exactly once. All arithmetic rounds to nearest,
 //! ties to even, and nothing depends on the platform: floating-point hardware is used for size

@@ -1,4 +1,6 @@
-//! The specification file: keys, names, places. Knows no mathematics.
+//! The specification file: keys, names, places.
+//!
+//! Knows keys, places and names. Never knows what any of it means.
 //!
 //! In: TOML text. Out: a [`Spec`], in which every key has been recognised and every name can be
 //! carried by Rust and C, or all the mistakes at once. Expressions are still text.

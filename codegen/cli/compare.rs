@@ -1,26 +1,16 @@
-//! `deadbeat compare`: recordings through several steps each, and what the estimates are worth beside each other.
-//!
-//! In go specifications, a recording and the columns to compare with; out comes a table with a row per specification.
-//! All are scored over the same rows, those on which every one of them has converged. Series are kept for that: 8 bytes
-//! a row for the time, and for each specification and each reference.
+//! `deadbeat compare`: recordings through several steps each, as a table with a row per specification.
 
-mod contest;
-mod figure;
-mod group;
-mod report;
-mod score;
-mod track;
-
+use std::fs;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
-use deadbeat_codegen::Settings;
+use deadbeat_codegen::replay::compare::{Contest, Entrant, Group, Track, group, report};
+use deadbeat_codegen::{Settings, figure};
 
-use self::contest::Contest;
-use self::group::Group;
-use super::columns::Signals;
-use super::files::{is_standard, nothing_overwritten, write_text};
-use super::{End, Failure, ScalarWord, one_standard_input, print, settings};
+use super::files::{is_standard, nothing_overwritten, open, write_text};
+use super::progress::Progress;
+use super::signals::Signals;
+use super::{End, Failure, ScalarWord, one_standard_input, print, read_spec, settings, show};
 
 /// Arguments of `deadbeat compare`.
 #[derive(Args)]
@@ -61,27 +51,28 @@ enum Format {
 pub fn compare(options: &Options) -> Result<End, Failure> {
     let settings = settings(options.scalar);
     if let Some(table) = &options.table {
-        return tables(&group::read(table)?, settings, options.format);
+        return tables(&groups(table)?, settings, options.format);
     }
     let group = Group {
         title: String::new(),
         specs: options.specs.clone(),
         log: options.log.clone().unwrap_or_default(),
         reference_log: options.reference_log.clone(),
-        signals: options.signals.clone(),
+        signals: options.signals.given(),
     };
     let plot = options.plot.as_deref();
-    one_standard_input(group.read().map(|(_, path)| path))?;
-    let read: Vec<(&str, &Path)> = group.read().map(|(role, path)| (role, path.as_path())).collect();
+    let read = read(&group);
+    one_standard_input(read.iter().map(|(_, path)| *path))?;
+    let read: Vec<(&str, &Path)> = read.into_iter().map(|(role, path)| (role, path.as_path())).collect();
     nothing_overwritten(&read, &plot.map(|path| ("--plot", path)).into_iter().collect::<Vec<_>>())?;
-    let Some(contest) = Contest::hold(&group, settings)? else { return Ok(End::Wrong) };
+    let Some(contest) = held(&group, settings)? else { return Ok(End::Wrong) };
     let report = match options.format {
         Format::Text => report::text(&contest),
         Format::Json => format!("{:#}\n", report::json(&contest)),
         Format::Markdown => report::markdown(&contest),
     };
     if let Some(path) = plot {
-        write_text(path, &figure::figure(&contest).to_string())?;
+        write_text(path, &figure::of_contest(&contest).to_string())?;
     }
     // A figure on standard output stays free of everything else.
     if plot.is_some_and(is_standard) {
@@ -96,7 +87,7 @@ pub fn compare(options: &Options) -> Result<End, Failure> {
 fn tables(groups: &[Group], settings: Settings, format: Format) -> Result<End, Failure> {
     let mut contests = Vec::new();
     for group in groups {
-        let Some(contest) = Contest::hold(group, settings)? else { return Ok(End::Wrong) };
+        let Some(contest) = held(group, settings)? else { return Ok(End::Wrong) };
         contests.push(contest);
     }
     let joined = |report: fn(&Contest) -> String| contests.iter().map(report).collect::<Vec<_>>().join("\n");
@@ -109,4 +100,60 @@ fn tables(groups: &[Group], settings: Settings, format: Format) -> Result<End, F
         Format::Markdown => joined(report::markdown),
     })?;
     Ok(End::Fine)
+}
+
+/// Reads a file of groups.
+fn groups(path: &Path) -> Result<Vec<Group>, Failure> {
+    let name = path.display();
+    let text = fs::read_to_string(path).map_err(|error| Failure::Wrong(format!("cannot read {name}: {error}")))?;
+    let folder = path.parent().unwrap_or(Path::new(""));
+    group::parse(&text, folder).map_err(|error| Failure::Wrong(format!("{name}: {error}")))
+}
+
+/// The files that a group reads, with their roles in messages.
+fn read(group: &Group) -> Vec<(&'static str, &PathBuf)> {
+    let specs = group.specs.iter().map(|path| ("a specification", path));
+    let references = group.reference_log.iter().map(|path| ("--reference-log", path));
+    specs.chain([("--log", &group.log)]).chain(references).collect()
+}
+
+/// Replays a group's recording; `None` when a specification is wrong, which has been said.
+fn held(group: &Group, settings: Settings) -> Result<Option<Contest>, Failure> {
+    let Some(entrants) = entrants(group, settings)? else { return Ok(None) };
+    // Wrong arguments are said before files are opened.
+    let interfaces: Vec<_> = entrants.iter().map(Entrant::interface).collect();
+    group.signals.check(&interfaces)?;
+    let columns: Vec<&str> = group.signals.reference.iter().map(|(_, column)| column.as_str()).collect();
+    let tracks = |path: &Path| -> Result<Vec<Track>, Failure> { Ok(Track::read(open(path)?, &columns)?) };
+    let elsewhere = group.reference_log.as_deref().map(tracks).transpose()?;
+    let mut progress = Progress::new();
+    let log = open(&group.log)?;
+    let mut contest = Contest::hold(entrants, &group.signals, log, elsewhere, &mut |rows| progress.show(rows))?;
+    contest.title.clone_from(&group.title);
+    Ok(Some(contest))
+}
+
+/// Designs every specification; `None` when one is wrong.
+fn entrants(group: &Group, settings: Settings) -> Result<Option<Vec<Entrant>>, Failure> {
+    if group.signals.reference.is_empty() {
+        return Err(Failure::Misused("name what to compare with: --reference STATE=COLUMN".into()));
+    }
+    if group.specs.is_empty() {
+        return Err(Failure::Misused(format!("no specification is named for {}", group.log.display())));
+    }
+    let mut all = Vec::new();
+    let mut wrong = false;
+    for path in &group.specs {
+        match read_spec(path, settings)?.design() {
+            Ok(generated) => {
+                show(&generated.report);
+                all.push(Entrant::new(&path.display().to_string(), generated, &group.signals)?);
+            }
+            Err(report) => {
+                show(&report);
+                wrong = true;
+            }
+        }
+    }
+    Ok((!wrong).then_some(all))
 }

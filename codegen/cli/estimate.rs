@@ -6,11 +6,10 @@ use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 use deadbeat_codegen::program::{Scalar, Status};
+use deadbeat_codegen::replay::{Interface, Sample};
 
 use super::Failure;
 use super::files::{is_standard, unwritable};
-use super::interface::Interface;
-use super::replay::Sample;
 
 /// `EST.csv` under way.
 pub struct Estimate {

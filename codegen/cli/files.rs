@@ -4,7 +4,8 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
-use super::recording::RecordingError;
+use deadbeat_codegen::replay::Recording;
+
 use super::{Failure, print};
 
 /// Whether a file is standard input or output.
@@ -12,14 +13,16 @@ pub fn is_standard(path: &Path) -> bool {
     path.as_os_str() == "-"
 }
 
-/// The recording's bytes and its name in messages.
-pub fn open(path: &Path) -> Result<(Box<dyn Read>, String), Failure> {
-    if is_standard(path) {
-        return Ok((Box::new(io::stdin()), "standard input".into()));
-    }
-    let name = path.display().to_string();
-    let file = File::open(path).map_err(|error| Failure::Wrong(format!("cannot read {name}: {error}")))?;
-    Ok((Box::new(file), name))
+/// The recording, up to its header.
+pub fn open(path: &Path) -> Result<Recording<Box<dyn Read>>, Failure> {
+    let (source, name): (Box<dyn Read>, String) = if is_standard(path) {
+        (Box::new(io::stdin()), "standard input".into())
+    } else {
+        let name = path.display().to_string();
+        let file = File::open(path).map_err(|error| Failure::Wrong(format!("cannot read {name}: {error}")))?;
+        (Box::new(file), name)
+    };
+    Ok(Recording::open(source, &name)?)
 }
 
 /// Writes a whole file, or prints it.
@@ -33,12 +36,6 @@ pub fn write_text(path: &Path, text: &str) -> Result<(), Failure> {
 /// Why a file could not be written.
 pub fn unwritable(path: &Path, error: &io::Error) -> Failure {
     Failure::Wrong(format!("cannot write {}: {error}", path.display()))
-}
-
-/// What is wrong with a recording, and what to do.
-pub fn explained(error: &RecordingError) -> Failure {
-    let help = error.help.as_ref().map_or(String::new(), |help| format!("\nhelp: {help}"));
-    Failure::Wrong(format!("{error}{help}"))
 }
 
 /// Refuses to write a file that is read, or one file twice; each with its role in messages.

@@ -5,16 +5,13 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use deadbeat_codegen::Generated;
-use serde_json::{Map, Value, json};
+use deadbeat_codegen::figure::Curves;
+use deadbeat_codegen::replay::{Compared, Interface, Replay, Verdict};
 
-use super::columns::{Columns, Selection, Signals};
 use super::estimate::Estimate;
-use super::figure::Curves;
-use super::files::{explained, is_standard, nothing_overwritten, open, write_text};
-use super::interface::{Answer, Interface};
+use super::files::{is_standard, nothing_overwritten, open, write_text};
 use super::progress::Progress;
-use super::recording::Recording;
-use super::replay::{Errors, Replay};
+use super::signals::Signals;
 use super::{Common, End, Failure, one_standard_input, print, read_spec, show};
 
 /// Arguments of `deadbeat run`.
@@ -66,73 +63,41 @@ pub fn run(options: &Options) -> Result<End, Failure> {
 
 /// Feeds the recording to the step, writes what is asked for, and returns the report.
 fn replayed(options: &Options, generated: &Generated) -> Result<String, Failure> {
-    let plant = &generated.plant;
+    let signals = options.signals.given();
+    // Wrong arguments are said before files are opened.
     let interface = Interface::of(generated);
-    options.signals.check(&[(plant, &interface)])?;
-    options.signals.check_references(&interface)?;
-    let (source, name) = open(&options.log)?;
-    let mut recording = Recording::open(source, &name).map_err(|error| explained(&error))?;
-    let mut selection = Selection::default();
-    let there = recording.columns().to_vec();
-    let mut columns = Columns::find(plant, &interface, &options.signals, &there, &mut selection, true)?;
-    let width = selection.apply(&mut recording).map_err(|error| explained(&error))?;
+    signals.check(&[&interface])?;
+    signals.check_references(&interface)?;
+    let mut replay = Replay::new(generated, open(&options.log)?, &signals)?;
 
-    let compared = columns.compared();
-    let mut replay = Replay::new(plant, &interface, &generated.program);
-    let mut curves = Curves::new(generated, &interface, &compared);
-    let create = |path| Estimate::create(path, &interface, plant.scalar);
+    let mut curves = Curves::new(&replay);
+    let create = |path| Estimate::create(path, &interface, generated.plant.scalar);
     let mut estimate = options.out.as_deref().map(create).transpose()?;
     let mut progress = Progress::new();
-    let mut cells = vec![0.0; width];
-    while recording.next_row(&mut cells).map_err(|error| explained(&error))? {
-        let row = columns.row(&cells, &recording)?;
-        let line = recording.line();
-        let sample = replay.feed(&row).map_err(|why| Failure::Wrong(format!("{name}:{line}: {why}")))?;
-        curves.add(&row, &sample);
+    for (row, step) in (1..).zip(replay.by_ref()) {
+        let step = step?;
+        curves.add(&step);
         if let Some(estimate) = &mut estimate {
-            estimate.write(&interface, &sample)?;
+            estimate.write(&interface, &step.sample)?;
         }
-        progress.show(replay.rows);
+        progress.show(row);
     }
     drop(progress);
-    if replay.rows == 0 {
-        return Err(Failure::Wrong(format!("{name}: the recording has no rows")));
-    }
+    let verdict = replay.verdict();
     if let Some(path) = &options.plot {
-        write_text(path, &curves.figure(generated, &replay).to_string())?;
+        write_text(path, &curves.figure(&verdict).to_string())?;
     }
     if let Some(estimate) = estimate {
         estimate.finish()?;
     }
-    let scores = interface.answers.iter().zip(&replay.errors).zip(&compared);
-    let scores: Vec<Score> = scores.filter_map(|(score, compared)| compared.then_some(score)).collect();
-    Ok(if options.common.json() {
-        json_report(&replay, &columns, &scores)
-    } else {
-        text_report(generated, &replay, &columns, &scores)
-    })
+    Ok(if options.common.json() { format!("{:#}\n", verdict.to_json()) } else { text_report(generated, &verdict) })
 }
 
-/// A field that was compared, and its errors.
-type Score<'a> = (&'a Answer, &'a Errors);
-
-fn json_report(replay: &Replay, columns: &Columns, scores: &[Score]) -> String {
-    let mut errors = Map::new();
-    for (answer, error) in scores {
-        errors.insert(answer.name.clone(), json!({ "rms": error.rms(), "max": error.max }));
-    }
-    let mut report = json!({ "rows": replay.rows, "converged_rows": replay.converged_rows, "coasting_rows": replay.coasting_rows, "errors": Value::Object(errors) });
-    if columns.negative_ages > 0 {
-        report["negative_ages"] = json!(columns.negative_ages);
-    }
-    format!("{report:#}\n")
-}
-
-fn text_report(generated: &Generated, replay: &Replay, columns: &Columns, scores: &[Score]) -> String {
+fn text_report(generated: &Generated, verdict: &Verdict) -> String {
     let plant = &generated.plant;
-    let (rows, converged) = (replay.rows, replay.converged_rows);
-    let from = replay.converged_from.map_or_else(|| "from none".to_owned(), |call| format!("from call {call}"));
-    let coasting = match replay.coasting_rows {
+    let (rows, converged) = (verdict.rows, verdict.converged_rows);
+    let from = verdict.converged_from.map_or_else(|| "from none".to_owned(), |call| format!("from call {call}"));
+    let coasting = match verdict.coasting_rows {
         0 => String::new(),
         coasting => format!(", {coasting} of these coasting"),
     };
@@ -140,13 +105,15 @@ fn text_report(generated: &Generated, replay: &Replay, columns: &Columns, scores
         "{}: {}\n{rows} rows, {converged} of them converged ({from}){coasting}\n",
         plant.name, generated.design.summary
     );
-    text += &replay.remarks(columns.negative_ages);
-    if scores.is_empty() {
+    for remark in &verdict.remarks {
+        let _ = writeln!(text, "{remark}");
+    }
+    if verdict.compared.is_empty() {
         text += "no column is named like a state, and no --reference was given: nothing to compare\n";
         return text;
     }
     let _ = writeln!(text, "\n{:<16} {:>12} {:>12} {:>10}  unit", "error of", "RMS", "maximum", "rows");
-    for (answer, errors) in scores {
+    for Compared { answer, errors } in &verdict.compared {
         let (rms, max) = errors.shown();
         let _ = writeln!(text, "{:<16} {rms:>12} {max:>12} {:>10}  {}", answer.name, errors.rows, answer.unit);
     }

@@ -1,5 +1,7 @@
 //! The shape "baseline": a signal and its rate as firmware has them today, without a model and without gains.
 //!
+//! Knows the outputs that are read and how a step is written. Never knows a model of the plant, nor another estimator.
+//!
 //! - `low-pass`: the held difference quotient through a filter of first order;
 //! - `adaptive-window`: the slope of the longest straight line that fits the newest samples.
 //!

@@ -1,5 +1,7 @@
 //! The impulsive observer: two copies of what is not measured, set to a common value every N samples.
 //!
+//! Knows the plant at its samples, its gain and its period. Never knows what a sensor is like, nor another estimator.
+//!
 //! In coordinates (y, `x_r`) with the outputs first (001 (3)-(4)), z1 estimates `x_r` and z2 estimates `x_r` + L y. Both
 //! start with the same error; one carries it by P, the other by Q, so that after N samples their difference tells
 //! it, and the reset takes it away (001 (9), with `t_(k+1)` where `t_k` is printed):

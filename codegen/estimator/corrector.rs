@@ -1,5 +1,7 @@
 //! The shape "predict and correct": a state carried from call to call, corrected by each sample.
 //!
+//! Knows the plant at its samples and a law of gains. Never knows which method asks for the law, nor another estimator.
+//!
 //! `z- = Phi z + what is known, e = y - C z-, z = z- + K e`.
 //!
 //! Methods differ in K alone. A gain law is
@@ -30,6 +32,7 @@ pub mod exact;
 pub mod guard;
 pub mod holloway_krstic;
 pub mod implicit_euler;
+pub mod interval;
 pub mod law;
 pub mod lower;
 pub mod noise;
@@ -57,16 +60,18 @@ pub type Grid = Vec<Vec<Option<Settled>>>;
 /// Why no corrector can do something that a specification asks for.
 pub fn cannot(feature: Feature, plant: &Plant) -> Option<Cannot> {
     let (why, instead) = match feature {
-        Feature::Wrap | Feature::Gate | Feature::Ahead | Feature::Coasted | Feature::InitAt => return None,
-        Feature::Every => (
-            "one gain for samples at several rates is not proven stable",
-            "use `kalman` or `window`, which take several rates",
-        ),
+        Feature::Wrap | Feature::Gate | Feature::Every | Feature::Ahead | Feature::Coasted | Feature::InitAt => {
+            return None;
+        }
         Feature::Age => ("its gains are of samples taken at the calls", "use `window`, which takes samples of any age"),
         Feature::Counter => return cannot_count(plant),
     };
     Some(Cannot { why, instead })
 }
+
+/// The nearest way out for a method that needs a sample at every call.
+pub const ONE_RATE: &str =
+    "a `sample_time` from sample to sample, or `luenberger`, `kalman` or `window`, which take `every`";
 
 /// What the gain does when the countdown has come to its end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -185,7 +190,7 @@ pub struct Corrector {
     pub handover: Option<Grid>,
     /// The countdown.
     pub counting: Counting,
-    /// Good calls after the first until the estimate counts as converged.
+    /// Good calls after the first until the estimate counts as converged; of one output, its samples.
     pub valid: usize,
     /// Good calls in a row after a missing sample until it does again; at least 1.
     pub recovery: usize,

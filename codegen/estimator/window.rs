@@ -1,5 +1,8 @@
 //! The window functional: an estimate that is a fixed weighted sum of the last N+1 samples.
 //!
+//! Knows the plant at its samples and how many of them are kept. Never knows which method asks for it, nor another
+//! estimator.
+//!
 //! `x_k = sum_{j=0}^{N} K_j y_{k-j} + M_j w_{k-j} + c`, where w are the inputs and the nonlinear
 //! injections evaluated at the samples (window-observers, section 2, "stateless full-order FIR").
 //! Every window method that is realised without a state of its own ends here: [`solve`] finds the

@@ -15,11 +15,12 @@ use crate::spec::Chain;
 use std::sync::Arc;
 
 use super::constant::{Asked, Outputs, design, refuse};
-use super::{Keyed, Method, order};
+use super::{Keyed, Method, between, order};
 use crate::decimal::show;
 use crate::diagnostic::{Diagnostic, codes};
 use crate::estimator::Design;
 use crate::estimator::corrector::exact::Law;
+use crate::estimator::corrector::interval;
 use crate::expr::Constant;
 use crate::numbers::short;
 use crate::plant::Plant;
@@ -103,7 +104,7 @@ impl Keyed for Keys {
             return Err(found);
         }
         let law = |_: &_, p: Precision| {
-            let gains = self.at(&values, p).zip(plant.sample_time.0.evaluate(p).ok());
+            let gains = self.at(&values, p).zip(interval::time(plant, p).ok());
             let gains = gains.map(|(gains, h)| Law::Constant(scaled(&gains, &h)));
             gains.ok_or_else(|| vec![self.no_number()])
         };
@@ -115,14 +116,14 @@ impl Keyed for Keys {
         let late = match self.order {
             2 => {
                 let samples = gains[0] / gains[1] - 0.5;
-                let seconds = short(samples * plant.sample_time_s());
-                format!("at constant acceleration the rate is {seconds} s late: (alpha/beta - 1/2) h")
+                between::late(plant, samples * interval::seconds(plant), "(alpha/beta - 1/2) h")
             }
             _ => "at constant acceleration nothing is late".to_owned(),
         };
         let notes = |_: &_| Ok(vec![late.clone()]);
         let asked = Asked {
             method: METHOD.name,
+            outputs: Outputs::One,
             summary: format!("{named}{rule}"),
             warnings: Vec::new(),
             law: &law,

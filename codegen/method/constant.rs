@@ -2,13 +2,14 @@
 
 use std::sync::Arc;
 
+use super::between;
 use super::prescribed_time::{refuse_delays, refuse_several_outputs};
 use super::window::{constants, refuse_unknowns, resolution_warnings, time_warning, verdict};
 use crate::diagnostic::Diagnostic;
 use crate::estimator::Design;
 use crate::estimator::corrector::design::{Built, Promise, Request, build};
 use crate::estimator::corrector::exact::{Exact, Law};
-use crate::estimator::corrector::{Counting, Gain};
+use crate::estimator::corrector::{Counting, Gain, interval};
 use crate::plant::Plant;
 use crate::promise::NamedMatrix;
 use crate::real::Precision;
@@ -28,6 +29,7 @@ type Found<T> = Result<T, Vec<Diagnostic>>;
 /// What a method says of itself and its gain.
 pub(super) struct Asked<'a> {
     pub(super) method: &'static str,
+    pub(super) outputs: Outputs,
     pub(super) summary: String,
     pub(super) warnings: Vec<Diagnostic>,
     /// The gain at one precision.
@@ -42,13 +44,17 @@ pub(super) fn refuse(plant: &Plant, method: &str, outputs: Outputs) -> Vec<Diagn
     refuse_delays(plant, method, &mut found);
     if outputs == Outputs::One {
         refuse_several_outputs(plant, method, &mut found);
+        between::refuse_rare(plant, &mut found);
     }
+    between::refuse_nonlinear(plant, &mut found);
     found
 }
 
 /// The design.
 pub(super) fn design(plant: &Plant, asked: Asked) -> Result<Design, Vec<Diagnostic>> {
     let condition = verdict(plant, &vec![0; plant.outputs.len()], plant.states.len(), &plant.span)?;
+    let one = asked.outputs == Outputs::One;
+    let condition = if one { between::verdict(plant)?.unwrap_or(condition) } else { condition };
     let signals = signals(plant);
     let model = |p: Precision| Model::new(plant, &signals, p);
     let law = |model: &Model, p: Precision| Ok(((asked.law)(model, p)?, None));
@@ -74,15 +80,16 @@ pub(super) fn design(plant: &Plant, asked: Asked) -> Result<Design, Vec<Diagnost
         let rows = gains.iter().flatten().map(|row| row.iter().map(|entry| entry.double).collect());
         matrices.push(NamedMatrix { letter: "K", rows: rows.collect() });
     }
+    let valid = interval::calls(plant) * corrector.valid;
     let mut warnings = asked.warnings;
     warnings.extend(time_warning(plant));
     warnings.extend(resolution_warnings(plant));
     Ok(Design {
         method: asked.method,
         realization: "recursive",
-        summary: asked.summary,
-        window_steps: corrector.valid,
-        valid_from_step: corrector.valid,
+        summary: if one { between::said(plant, asked.summary) } else { asked.summary },
+        window_steps: valid,
+        valid_from_step: valid,
         convergence,
         realizations: Vec::new(),
         notes,

@@ -8,12 +8,14 @@ pub mod numbers;
 
 use std::ops::Range;
 
+use super::between;
 use crate::decimal::show;
 use crate::diagnostic::{Diagnostic, codes};
-use crate::estimator::corrector::{After, Counting, law, theorem1};
+use crate::estimator::corrector::{self, After, Counting, ONE_RATE, interval, law, theorem1};
 use crate::expr::{Constant, List};
 use crate::numbers::count;
 use crate::plant::Plant;
+use crate::plant::features::{Cannot, Feature};
 use crate::program::Scalar;
 use crate::real::{Precision, Rational, Real};
 use crate::sampled::samples::whole_samples;
@@ -47,6 +49,17 @@ pub fn start(plant: &mut Plant, initial: Option<&(Vec<Quantity>, Range<usize>)>)
     let states = plant.states.iter_mut().filter(|state| state.measured.is_empty());
     states.zip(values.into_iter().flatten()).for_each(|(state, value)| state.initial = value);
     Ok(())
+}
+
+/// Why a method with a countdown cannot do something that a specification asks for.
+pub fn cannot(feature: Feature, plant: &Plant) -> Option<Cannot> {
+    match feature {
+        Feature::Every if plant.outputs.len() > 1 => Some(Cannot {
+            why: "its countdown waits for a lost sample, and is then out of step with the calls at which the others are due",
+            instead: ONE_RATE,
+        }),
+        _ => corrector::cannot(feature, plant),
+    }
 }
 
 /// The most states of a countdown: the gains' powers and their exact exponents grow with them.
@@ -96,7 +109,7 @@ impl Countdown {
             }
             Numbers::HollowayKrstic(m, l) => {
                 let l: Option<Vec<Real>> = l.iter().map(value).collect();
-                law::holloway_krstic(*m, &l?, &value(&plant.sample_time.0)?)
+                law::holloway_krstic(*m, &l?, &interval::time(plant, precision).ok()?)
             }
             Numbers::Poles(p) => law::poles(self.order, &value(p)?),
         })
@@ -139,7 +152,7 @@ impl Countdown {
     fn stop_at(&self, plant: &Plant, limit: &Quantity, found: &mut Vec<Diagnostic>) -> Option<usize> {
         let most = plant.constant(limit, found)?.to_f64().unwrap_or(f64::NAN);
         let rows = self.doubles(plant)?;
-        let h = plant.sample_time_s();
+        let h = interval::seconds(plant);
         let gain = |left: usize| {
             let r = count(left);
             let value = |(i, row): (usize, &Vec<f64>)| {
@@ -237,13 +250,14 @@ fn duration(plant: &Plant, keys: &Keys, found: &mut Vec<Diagnostic>) -> Option<(
         found.push(error.help("write the seconds from the first sample to the prescribed time"));
         return None;
     }
-    let steps = whole_samples(&time, &span, "the prescribed time", plant, found)?;
+    let calls = whole_samples(&time, &span, "the prescribed time", plant, found)?;
+    let steps = between::samples(plant, calls, &span, "the prescribed time", found)?;
     if steps < order {
         let message = "the prescribed time is too short to show every state";
         let error = Diagnostic::error(codes::WINDOW_TOO_SHORT, span, message).measured(count(steps));
         let samples = if steps == 1 { "sample" } else { "samples" };
         let label = format!("{steps} {samples} after the first, for {order} states");
-        let least = show(count(order) * plant.sample_time_s());
+        let least = show(count(order) * interval::seconds(plant));
         found.push(error.label(label).help(format!("a time of at least {least} s")));
         return None;
     }

@@ -19,13 +19,13 @@ use super::countdown::{self, Countdown};
 use super::order::{self, Order};
 use super::prescribed_time::{exactly, filter, promised, refuse_delays, summary, weak};
 use super::window::{constants, refuse_unknowns, resolution_warnings, verdict};
-use super::{Keyed, Method, Moment, noise};
+use super::{Keyed, Method, Moment, between, noise};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::estimator::Design;
-use crate::estimator::corrector::After;
 use crate::estimator::corrector::design::{Promise, Request, build};
 use crate::estimator::corrector::exact::Law;
 use crate::estimator::corrector::implicit_euler::{Gains, ImplicitEuler, output_map};
+use crate::estimator::corrector::{After, interval};
 use crate::plant::Plant;
 use crate::plant::features::{Cannot, Feature};
 use crate::promise::{Certificate, Convergence, NamedMatrix};
@@ -104,13 +104,15 @@ impl Keyed for Keys {
     }
 
     fn cannot(&self, feature: Feature, plant: &Plant) -> Option<Cannot> {
-        crate::estimator::corrector::cannot(feature, plant)
+        countdown::cannot(feature, plant)
     }
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {
         let countdown = self.countdown(plant)?;
         let noise = self.noise(plant)?;
         let condition = verdict(plant, &[0], self.order, &self.countdown.time.span())?;
+        let condition = between::verdict(plant)?.unwrap_or(condition);
+        let calls = interval::calls(plant);
         let model = |p: Precision| self.model(plant, p);
         let counting = countdown.counting;
         let handover = noise.as_ref().filter(|_| counting.after == After::Handover);
@@ -119,8 +121,9 @@ impl Keyed for Keys {
             let rows = countdown.rows(plant, p).ok_or_else(|| countdown::no_value(plant))?;
             Ok((Law::Countdown(rows), steady))
         };
-        let promise = Promise::At(promised(counting, self.order));
-        let request = Request { plant, signals: Vec::new(), counting, scaled: true, promise, model: &model, law: &law };
+        let promise = Promise::At(calls * promised(counting, self.order));
+        let request =
+            Request { plant, signals: Vec::new(), counting, scaled: calls == 1, promise, model: &model, law: &law };
         let mut built = build(&request)?;
         built.numerics.condition = condition;
         let last = built.schedule.lead.last();
@@ -130,7 +133,10 @@ impl Keyed for Keys {
         warnings.extend(resolution_warnings(plant));
         let proved = notes::proved(plant, &countdown);
         let mut all = constants(&built.exact.model);
-        if !self.lags() {
+        if let Some(chain) = built.exact.chain.as_ref().filter(|_| calls > 1) {
+            all.push(NamedMatrix { letter: "M", rows: chain.m.to_f64() });
+            all.push(NamedMatrix { letter: "q", rows: chain.q.to_f64() });
+        } else if !self.lags() {
             all.push(NamedMatrix {
                 letter: "M",
                 rows: output_map(self.order).iter().map(|row| doubles(row)).collect(),
@@ -155,8 +161,8 @@ impl Keyed for Keys {
             method: METHOD.name,
             realization: "recursive",
             summary: summary(plant, counting),
-            window_steps: counting.steps,
-            valid_from_step: built.corrector.valid,
+            window_steps: calls * counting.steps,
+            valid_from_step: calls * built.corrector.valid,
             convergence: if exactly(counting) { Convergence::Finite } else { built.convergence },
             realizations: Vec::new(),
             notes: all_notes,
@@ -176,7 +182,7 @@ impl Keyed for Keys {
         let countdown = self.countdown(plant).map_err(|_| no_value())?;
         let left = countdown.left_at(step)?;
         let precision = Precision::bits(REPORTED_BITS);
-        let h = plant.sample_time.0.evaluate(precision).ok().and_then(|h| h.to_rational());
+        let h = interval::time(plant, precision).ok().and_then(|h| h.to_rational());
         let rows = countdown.rows(plant, precision);
         let euler = h.zip(rows).and_then(|(h, rows)| ImplicitEuler::new(&gains(&rows, left)?, &h));
         let euler = euler.ok_or_else(no_value)?;
@@ -195,6 +201,7 @@ impl Keys {
     fn countdown(&self, plant: &Plant) -> Result<Countdown, Vec<Diagnostic>> {
         let mut found = refuse_unknowns(plant, METHOD.name);
         refuse_delays(plant, METHOD.name, &mut found);
+        between::refuse_rare(plant, &mut found);
         if self.countdown.after.0 == After::Handover && self.lags() {
             let message = "a Kalman gain is of the exact chain, and this prediction is not";
             let error = Diagnostic::error(codes::METHOD_CANNOT, self.countdown.after.1.clone(), message);

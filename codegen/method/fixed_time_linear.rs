@@ -16,12 +16,12 @@ use std::sync::Arc;
 use super::order::{self, Order};
 use super::prescribed_time::{refuse_delays, refuse_several_outputs};
 use super::window::{constants, refuse_unknowns, resolution_warnings, time_warning, verdict};
-use super::{Keyed, Method};
+use super::{Keyed, Method, between};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::estimator::Design;
-use crate::estimator::corrector::Counting;
 use crate::estimator::corrector::design::{Promise, Request, build};
 use crate::estimator::corrector::exact::Law;
+use crate::estimator::corrector::{Counting, interval};
 use crate::numbers::{count, short};
 use crate::plant::Plant;
 use crate::plant::features::{Cannot, Feature};
@@ -65,18 +65,23 @@ impl Keyed for Keys {
         let mut found = refuse_unknowns(plant, METHOD.name);
         refuse_delays(plant, METHOD.name, &mut found);
         refuse_several_outputs(plant, METHOD.name, &mut found);
+        between::refuse_rare(plant, &mut found);
+        between::refuse_nonlinear(plant, &mut found);
         if !found.is_empty() {
             return Err(found);
         }
         let n = plant.states.len();
         let condition = verdict(plant, &[0], n, &plant.span)?;
+        let condition = between::verdict(plant)?.unwrap_or(condition);
+        let calls = interval::calls(plant);
         let signals = signals(plant);
-        let valid = exact_after(plant);
+        let valid = calls * exact_after(plant);
         let request = Request {
             plant,
             signals: signals.clone(),
             counting: Counting::NONE,
-            scaled: self.order.order.is_some(),
+            // Implicit Euler's coordinates are of samples, and the step predicts from call to call.
+            scaled: self.order.order.is_some() && calls == 1,
             promise: Promise::At(valid),
             model: &|p: Precision| self.order.model(plant, &signals, p),
             law: &|_, p: Precision| Ok((Law::Kappa(Matrix::from_fn(n, 1, |_, _| Real::one(p))), None)),
@@ -85,7 +90,7 @@ impl Keyed for Keys {
         let mut numerics = built.numerics;
         numerics.condition = condition;
         let mut all = constants(&built.exact.model);
-        let gain = built.schedule.cycle.first().cloned().unwrap_or_default();
+        let gain = built.schedule.cycle.last().cloned().unwrap_or_default();
         all.push(NamedMatrix { letter: "K", rows: gain });
         let mut warnings: Vec<Diagnostic> = noise(plant, &built.certificate, self.order.order).into_iter().collect();
         warnings.extend(time_warning(plant));
@@ -93,12 +98,15 @@ impl Keyed for Keys {
         Ok(Design {
             method: METHOD.name,
             realization: "recursive",
-            summary: format!("the estimate that the last {n} samples determine, carried on by a constant gain"),
-            window_steps: n - 1,
+            summary: between::said(
+                plant,
+                format!("the estimate that the last {n} samples determine, carried on by a constant gain"),
+            ),
+            window_steps: calls * (n - 1),
             valid_from_step: valid,
             convergence: Convergence::Finite,
             realizations: Vec::new(),
-            notes: self.order.late().into_iter().collect(),
+            notes: self.order.late(if calls == 1 { "samples" } else { "calls" }).into_iter().collect(),
             constants: all,
             fir: None,
             certificate: self.order.certain(built.certificate),
@@ -111,7 +119,7 @@ impl Keyed for Keys {
     }
 }
 
-/// Calls after the first until the error is gone: `Z^n = 0`, and `Z^(n-1)` takes only what the first sample shows, which
+/// Samples after the first until the error is gone: `Z^n = 0`, and `Z^(n-1)` takes only what the first sample shows, which
 /// is right where a state is what it shows.
 fn exact_after(plant: &Plant) -> usize {
     let shown = plant.states.iter().any(|state| !state.measured.is_empty());
@@ -129,7 +137,7 @@ fn noise(plant: &Plant, certificate: &Certificate, order: Option<usize>) -> Opti
     let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
     let label = format!("{} of it is up to {}{unit} in `{name}`", short(level), short(gain * level));
     let warning = Diagnostic::warning(codes::NOISE, output.label.span.clone(), message).measured(gain * level);
-    let longer = count(10 * plant.states.len()) * plant.sample_time_s();
+    let longer = count(10 * plant.states.len()) * interval::seconds(plant);
     let longer = short(longer);
     let help = match order {
         Some(order) => {

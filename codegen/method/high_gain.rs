@@ -22,6 +22,7 @@ use crate::decimal::show;
 use crate::diagnostic::{Diagnostic, codes};
 use crate::estimator::Design;
 use crate::estimator::corrector::exact::Law;
+use crate::estimator::corrector::interval;
 use crate::estimator::corrector::placement::{Pole, polynomial};
 use crate::expr::Constant;
 use crate::numbers::short;
@@ -116,21 +117,31 @@ impl Keyed for Keys {
         let numbers = self.numbers(plant, &mut found);
         let (Some(gain), Some(numbers), true) = (gain, numbers, found.is_empty()) else { return Err(found) };
         let law = |_: &_, p: Precision| {
-            let speed = plant.sample_time.0.evaluate(p).ok().zip(gain.evaluate(p).ok());
+            let speed = interval::time(plant, p).ok().zip(gain.evaluate(p).ok());
             let speed = speed.map(|(h, gain)| &h * &gain).ok_or_else(|| self.no_number())?;
             Ok(Law::Kappa(kappa(&numbers.coefficients(p), &speed)))
         };
         let summary = format!(
             "errors corrected by L_i gain^i, gain = {} 1/s ({} per sample); implicit Euler",
             show(value),
-            short(value * plant.sample_time_s())
+            short(value * interval::seconds(plant))
         );
         let notes = |_: &_| {
             let coefficients: Vec<String> =
                 numbers.coefficients(Precision::bits(256)).iter().map(|l| short(l.to_f64())).collect();
             Ok(vec![format!("L = [{}]", coefficients.join(", "))])
         };
-        design(plant, Asked { method: METHOD.name, summary, warnings: Vec::new(), law: &law, notes: &notes })
+        design(
+            plant,
+            Asked {
+                method: METHOD.name,
+                outputs: Outputs::One,
+                summary,
+                warnings: Vec::new(),
+                law: &law,
+                notes: &notes,
+            },
+        )
     }
 }
 

@@ -55,7 +55,7 @@ const RESIDUAL: f64 = 1e-30;
 
 impl Keyed for Keys {
     fn cannot(&self, feature: Feature, plant: &Plant) -> Option<Cannot> {
-        if feature == Feature::Every { None } else { crate::estimator::corrector::cannot(feature, plant) }
+        crate::estimator::corrector::cannot(feature, plant)
     }
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {
@@ -80,7 +80,17 @@ impl Keyed for Keys {
         let outputs = plant.outputs.len();
         let what = if outputs == 1 { "one output".to_owned() } else { format!("{outputs} outputs") };
         let summary = format!("steady Kalman filter of {what}; current estimator");
-        design(plant, Asked { method: METHOD.name, summary, warnings: Vec::new(), law: &law, notes: &notes })
+        design(
+            plant,
+            Asked {
+                method: METHOD.name,
+                outputs: Outputs::Any,
+                summary,
+                warnings: Vec::new(),
+                law: &law,
+                notes: &notes,
+            },
+        )
     }
 }
 

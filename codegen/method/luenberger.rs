@@ -18,6 +18,7 @@ use crate::decimal::show;
 use crate::diagnostic::{Diagnostic, codes};
 use crate::estimator::Design;
 use crate::estimator::corrector::exact::Law;
+use crate::estimator::corrector::interval;
 use crate::estimator::corrector::placement::{Failure, Pole, gain, polynomial};
 use crate::numbers::{count, short};
 use crate::plant::Plant;
@@ -70,16 +71,28 @@ impl Keyed for Keys {
             short(-slowest)
         );
         let warnings = fast(plant, &poles);
-        design(plant, Asked { method: METHOD.name, summary, warnings, law: &law, notes: &|_| Ok(Vec::new()) })
+        design(
+            plant,
+            Asked {
+                method: METHOD.name,
+                outputs: Outputs::One,
+                summary,
+                warnings,
+                law: &law,
+                notes: &|_| Ok(Vec::new()),
+            },
+        )
     }
 }
 
 /// K at one precision.
 fn placed(plant: &Plant, poles: &[Exact], model: &Model, p: Precision) -> Result<Law, Vec<Diagnostic>> {
-    let h = plant.sample_time.0.evaluate(p).map_err(|_| no_number(plant, poles))?;
+    let h = interval::time(plant, p).map_err(|_| no_number(plant, poles))?;
     let sampled: Result<Vec<Pole>, Undefined> = poles.iter().map(|pole| pole.at(p).sampled(&h)).collect();
     let wanted = polynomial(&sampled.map_err(|_| no_number(plant, poles))?);
-    gain(&model.phi, &model.c, &wanted).map(Law::Constant).map_err(|failure| said(plant, failure))
+    gain(&interval::transition(plant, &model.phi), &model.c, &wanted)
+        .map(Law::Constant)
+        .map_err(|failure| said(plant, failure))
 }
 
 fn no_number(plant: &Plant, poles: &[Exact]) -> Vec<Diagnostic> {
@@ -115,7 +128,7 @@ fn said(plant: &Plant, failure: Failure) -> Vec<Diagnostic> {
 
 /// Refuses poles that turn by half a turn and more per sample: the sampled error would turn more slowly.
 fn refuse_aliases(plant: &Plant, poles: &[Exact]) -> Result<(), Vec<Diagnostic>> {
-    let h = plant.sample_time_s();
+    let h = interval::seconds(plant);
     let nyquist = std::f64::consts::PI / h;
     let beyond = poles.iter().find(|pole| pole.turns() >= nyquist);
     beyond.map_or(Ok(()), |pole| {
@@ -129,7 +142,7 @@ fn refuse_aliases(plant: &Plant, poles: &[Exact]) -> Result<(), Vec<Diagnostic>>
 
 /// Warns of poles whose error is gone within a sample: the estimate then follows the noise of the newest samples.
 fn fast(plant: &Plant, poles: &[Exact]) -> Vec<Diagnostic> {
-    let h = plant.sample_time_s();
+    let h = interval::seconds(plant);
     let fastest = poles.iter().max_by(|a, b| a.size().total_cmp(&b.size())).filter(|pole| pole.size() * h > 1.0);
     let warning = |pole: &Exact| {
         let message = "a pole faster than the sample time";

@@ -91,9 +91,9 @@ impl Order {
         self.euler && self.order > Some(2)
     }
 
-    /// What implicit Euler's estimates are besides.
-    pub fn late(self) -> Option<String> {
-        let text = "backward differences: the i-th derivative is i/2 samples late; `prediction = \"exact\"` is not";
-        self.lags().then(|| text.to_owned())
+    /// What implicit Euler's estimates are besides; the unit is that of the sample time.
+    pub fn late(self, unit: &str) -> Option<String> {
+        let text = "backward differences: the i-th derivative is i/2";
+        self.lags().then(|| format!("{text} {unit} late; `prediction = \"exact\"` is not"))
     }
 }

@@ -13,11 +13,12 @@ use crate::spec::Chain;
 use std::sync::Arc;
 
 use super::constant::{Asked, Outputs, design, refuse};
-use super::{Keyed, Method};
+use super::{Keyed, Method, between};
 use crate::decimal::show;
 use crate::diagnostic::{Diagnostic, codes};
 use crate::estimator::Design;
 use crate::estimator::corrector::exact::Law;
+use crate::estimator::corrector::interval;
 use crate::expr::Constant;
 use crate::numbers::short;
 use crate::plant::Plant;
@@ -70,15 +71,25 @@ impl Keyed for Keys {
         let bandwidth = self.checked(plant, &mut found);
         let Some(bandwidth) = bandwidth.filter(|_| found.is_empty()) else { return Err(found) };
         let law = |_: &_, p: Precision| {
-            let numbers = bandwidth.evaluate(p).ok().zip(plant.sample_time.0.evaluate(p).ok());
+            let numbers = bandwidth.evaluate(p).ok().zip(interval::time(plant, p).ok());
             numbers.map(|(b, h)| Law::Constant(gain(&b, &h))).ok_or_else(|| vec![self.no_number()])
         };
-        let (b, h) = (bandwidth.to_f64().unwrap_or(f64::NAN), plant.sample_time_s());
+        let (b, h) = (bandwidth.to_f64().unwrap_or(f64::NAN), interval::seconds(plant));
         let summary =
             format!("tracking loop of {} rad/s: kp = {} 1/s, ki = {} 1/s^2", show(b), short(2.0 * b), short(b * b));
-        let late = format!("at constant acceleration the rate is {} s late: 2/b - h/2", short(2.0 / b - 0.5 * h));
+        let late = between::late(plant, 2.0 / b - 0.5 * h, "2/b - h/2");
         let notes = |_: &_| Ok(vec![late.clone()]);
-        design(plant, Asked { method: METHOD.name, summary, warnings: Vec::new(), law: &law, notes: &notes })
+        design(
+            plant,
+            Asked {
+                method: METHOD.name,
+                outputs: Outputs::One,
+                summary,
+                warnings: Vec::new(),
+                law: &law,
+                notes: &notes,
+            },
+        )
     }
 }
 
@@ -86,14 +97,17 @@ impl Keys {
     /// b, above 0, with kp h below 1.
     fn checked(&self, plant: &Plant, found: &mut Vec<Diagnostic>) -> Option<Constant> {
         let bandwidth = plant.constant(&self.bandwidth, found)?;
-        let (b, h) = (bandwidth.to_f64().unwrap_or(f64::NAN), plant.sample_time_s());
+        let (b, h) = (bandwidth.to_f64().unwrap_or(f64::NAN), interval::seconds(plant));
         if b <= 0.0 {
             let error = Diagnostic::error(codes::BAD_NUMBER, self.bandwidth.span(), "the bandwidth must be above 0");
             found.push(error.measured(b).help("write how fast the loop is to follow, in rad/s"));
             return None;
         }
         if 2.0 * b * h >= 1.0 {
-            let message = "the bandwidth is too large for this sample time";
+            let message = match interval::calls(plant) {
+                1 => "the bandwidth is too large for this sample time".to_owned(),
+                _ => format!("the bandwidth is too large for samples {} s apart", between::apart(plant)),
+            };
             let error = Diagnostic::error(codes::OUT_OF_RANGE, self.bandwidth.span(), message);
             let error = error.label(format!("kp h = 2 b h = {}; it must be below 1", short(2.0 * b * h)));
             let help = format!("below {} rad/s, or a shorter sample time", short(0.5 / h));

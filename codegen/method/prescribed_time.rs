@@ -18,13 +18,13 @@ use std::sync::Arc;
 
 use super::countdown::{self, Countdown};
 use super::window::{constants, refuse_unknowns, resolution_warnings, time_warning, verdict};
-use super::{Keyed, Method, Moment, noise};
+use super::{Keyed, Method, Moment, between, noise};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::estimator::Design;
 use crate::estimator::corrector::chain::Chain;
 use crate::estimator::corrector::design::{Built, Promise, Request, build};
 use crate::estimator::corrector::exact::Law;
-use crate::estimator::corrector::{After, Counting, law};
+use crate::estimator::corrector::{After, Counting, interval, law};
 use crate::expr::List;
 use crate::numbers::{count, seconds, short, trimmed};
 use crate::plant::Plant;
@@ -133,7 +133,7 @@ impl Keyed for Keys {
     }
 
     fn cannot(&self, feature: Feature, plant: &Plant) -> Option<Cannot> {
-        crate::estimator::corrector::cannot(feature, plant)
+        countdown::cannot(feature, plant)
     }
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {
@@ -142,20 +142,23 @@ impl Keyed for Keys {
         if self.filter.law_span().is_none() {
             refuse_several_outputs(plant, METHOD.name, &mut found);
         }
+        between::refuse_rare(plant, &mut found);
+        between::refuse_nonlinear(plant, &mut found);
         let gains = self.gains(plant, &mut found);
         let after = self.countdown.after.0;
         let noise = self.filter.steady(plant, after, gains.as_ref().and_then(Gains::filter), &mut found);
         let Some(gains) = gains.filter(|_| found.is_empty()) else { return Err(found) };
         let (counting, order) = (gains.counting(), plant.states.len());
         let condition = verdict(plant, &vec![0; plant.outputs.len()], order, &self.countdown.time.span())?;
-        let signals = signals(plant);
+        let condition = between::verdict(plant)?.unwrap_or(condition);
+        let (signals, calls) = (signals(plant), interval::calls(plant));
         let model = |p: Precision| Model::new(plant, &signals, p);
         let handover = noise.as_ref().filter(|_| after == After::Handover);
         let law = |model: &Model, p: Precision| {
             let steady = handover.map(|noise| filter::handover(plant, noise, model, p)).transpose()?;
             Ok((gains.law(plant, model, p)?, steady))
         };
-        let promise = Promise::At(gains.promised(order));
+        let promise = Promise::At(calls * gains.promised(order));
         let request =
             Request { plant, signals: signals.clone(), counting, scaled: false, promise, model: &model, law: &law };
         let built = build(&request)?;
@@ -177,12 +180,12 @@ impl Keyed for Keys {
             let named = |letter, matrix: &Matrix| NamedMatrix { letter, rows: without_rounding(matrix) };
             all.extend([named("M", &chain.m), named("q", &chain.q)]);
         }
-        let valid = corrector.valid;
+        let valid = calls * corrector.valid;
         Ok(Design {
             method: METHOD.name,
             realization: "recursive",
             summary: gains.summary(plant),
-            window_steps: counting.steps,
+            window_steps: calls * counting.steps,
             valid_from_step: valid,
             convergence: if gains.filter().is_none() && exactly(counting) { Convergence::Finite } else { convergence },
             realizations: Vec::new(),
@@ -207,10 +210,11 @@ impl Keyed for Keys {
         let left = countdown.left_at(step)?;
         let precision = Precision::bits(REPORTED_BITS);
         let model = Model::new(plant, &[], precision).map_err(|_| no_value())?;
-        let chain = Chain::new(&model.phi, &model.c).map_err(|error| error.to_string())?;
+        let phi = interval::transition(plant, &model.phi);
+        let chain = Chain::new(&phi, &model.c).map_err(|error| error.to_string())?;
         let rows = countdown.rows(plant, precision).ok_or_else(no_value)?;
         let gain = &(&chain.m * &law::exact_kappa(&rows, left)) + &chain.q;
-        let transition = &(&Matrix::identity(countdown.order, precision) - &(&gain * &model.c)) * &model.phi;
+        let transition = &(&Matrix::identity(countdown.order, precision) - &(&gain * &model.c)) * &phi;
         let matrices = vec![
             NamedMatrix { letter: "K", rows: without_rounding(&gain) },
             NamedMatrix { letter: "transition", rows: without_rounding(&transition) },
@@ -235,12 +239,11 @@ impl Keys {
 impl Gains {
     fn summary(&self, plant: &Plant) -> String {
         let Self::Table(_, counting) = self else { return summary(plant, self.counting()) };
-        let h = plant.sample_time_s();
-        let time = trimmed(seconds(counting.lead(), h));
+        let time = trimmed(seconds(counting.lead(), interval::seconds(plant)));
         let then = if counting.after == After::Hold { "the last gain stays" } else { "the steady gain" };
         format!(
-            "a Kalman filter from the first sample on, {time} s ({} calls at {h} s) by a table, then {then}",
-            counting.lead()
+            "a Kalman filter from the first sample on, {time} s ({}) by a table, then {then}",
+            between::counted(plant, counting.lead())
         )
     }
 
@@ -252,7 +255,7 @@ impl Gains {
     }
 }
 
-/// The promised call: the countdown's end; where it holds the deadbeat gain, n calls of it.
+/// The sample of the promised call: the countdown's end; where it holds the deadbeat gain, n samples of it.
 pub fn promised(counting: Counting, order: usize) -> usize {
     if exactly(counting) { counting.steps + order - 1 } else { counting.lead() }
 }
@@ -264,15 +267,15 @@ pub fn exactly(counting: Counting) -> bool {
 
 /// What happens when, in one line.
 pub fn summary(plant: &Plant, counting: Counting) -> String {
-    let h = plant.sample_time_s();
     let Counting { steps, stop, after } = counting;
     let then = match after {
         After::Hold => "then the last gain stays".to_owned(),
         After::Restart => format!("then again from {steps}"),
         After::Handover => "then a steady Kalman gain".to_owned(),
     };
-    let time = trimmed(seconds(steps, h));
-    format!("gains for T = {time} s ({steps} calls at {h} s), counted down to {stop} before it; {then}")
+    let time = trimmed(seconds(steps, interval::seconds(plant)));
+    let counted = between::counted(plant, steps);
+    format!("gains for T = {time} s ({counted}), counted down to {stop} before it; {then}")
 }
 
 /// What the method's own theory says.

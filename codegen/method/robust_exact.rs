@@ -25,7 +25,7 @@ use crate::estimator::Design;
 use crate::estimator::corrector::design::{Built, Promise, Request, build, no_chain};
 use crate::estimator::corrector::exact::Law;
 use crate::estimator::corrector::sliding::{Backward, ExactSliding, ORDERS, Sliding};
-use crate::estimator::corrector::{Counting, Frame, Gain};
+use crate::estimator::corrector::{Counting, Frame, Gain, ONE_RATE};
 use crate::expr::Constant;
 use crate::numbers::{count, short};
 use crate::plant::features::{Cannot, Feature};
@@ -95,7 +95,13 @@ impl Keyed for Keys {
     }
 
     fn cannot(&self, feature: Feature, plant: &Plant) -> Option<Cannot> {
-        crate::estimator::corrector::cannot(feature, plant)
+        match feature {
+            Feature::Every => Some(Cannot {
+                why: "what n small innovations in a row prove of its error is proven for an innovation at every call",
+                instead: ONE_RATE,
+            }),
+            _ => crate::estimator::corrector::cannot(feature, plant),
+        }
     }
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {
@@ -216,7 +222,7 @@ impl Keys {
             format!("up to {} off its prediction, a sample of {name} is taken as it is", short(law.reach.double)),
             format!("{} steps of Newton's method a call, enough for every innovation", law.iterations(plant.scalar)),
         ];
-        notes.extend(self.order.late());
+        notes.extend(self.order.late("samples"));
         notes
     }
 }

@@ -4,6 +4,7 @@
 //! `cargo test --test suite contract::` runs one of them. None changes the environment, the current folder or anything
 //! else that the process has once; a claim that must is a test program of its own.
 
+mod house;
 mod support;
 
 /// What the steps compute: each method against its theory, other programs and recordings.
@@ -75,4 +76,5 @@ mod tool {
     mod doors;
     mod readme;
     mod replay;
+    mod replay_library;
 }

@@ -7,6 +7,7 @@ pub mod fleet;
 pub mod golden;
 pub mod impulsive;
 pub mod linear;
+pub mod pages;
 pub mod plant;
 pub mod random_program;
 pub mod truths;

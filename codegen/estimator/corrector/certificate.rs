@@ -30,7 +30,7 @@ impl Errors<'_> {
         let kernel = Kernel::new(self.plant);
         let kernel = kernel.as_ref();
         let worst = match self.cycle.len() {
-            1 if self.is_constant() => self.constant(valid, kernel),
+            _ if self.is_constant() => self.constant(valid, kernel),
             1 => self.held(valid, kernel),
             _ => self.cycling(valid, kernel),
         };
@@ -54,32 +54,47 @@ impl Errors<'_> {
         n * n * (3.0 * n + count(self.plant.outputs.len() + self.plant.disturbances.len()))
     }
 
-    /// The worst call from V on, where the gain is the same at every call: each call adds to the sums of the one before.
+    /// The worst call from V on, where the gain is the same at every sample: exactly, at each place of the cycle.
     fn constant(&self, valid: usize, kernel: Option<&Kernel>) -> Sums {
-        let (mut recent, mut rows) = (Sums::new(self.plant, self.signals.len()), self.back.clone());
-        let mut begun = vec![vec![0.0; self.signals.len()]; self.order()];
-        let step = self.transition(1);
-        let mut transition = identity(self.order());
-        let mut worst = recent.clone();
-        let (mut call, mut spent) = (0, 0.0);
-        while call < valid || frobenius(&transition) > COMPLETE {
-            call += 1;
-            rows = self.enter(&mut recent, &rows, &mut begun, 1, kernel);
-            transition = product(&transition, &step);
-            if call >= valid {
-                let mut all = recent.clone();
-                self.finish(&mut all, &rows, &begun, true);
-                worst.raise(&all);
-            }
-            spent += self.work();
-            if spent > 2.0 * MOST_WORK {
+        let mut worst = Sums::new(self.plant, self.signals.len());
+        let mut spent = 0.0;
+        for place in 0..self.cycle.len() {
+            let Some(sums) = self.ending(place, valid, kernel, &mut spent) else {
                 return Sums::infinite(self.plant, self.signals.len());
-            }
+            };
+            worst.raise(&sums);
         }
         if valid == 0 {
             worst.raise(&self.at(0, 0, kernel).0);
         }
         worst
+    }
+
+    /// The worst call from V on of those at a place of the cycle: from it back, each call adds to the sums of those after it.
+    fn ending(&self, place: usize, valid: usize, kernel: Option<&Kernel>, spent: &mut f64) -> Option<Sums> {
+        let length = self.cycle.len();
+        let (mut recent, mut rows) = (Sums::new(self.plant, self.signals.len()), self.back.clone());
+        let mut begun = vec![vec![0.0; self.signals.len()]; self.order()];
+        let mut transition = identity(self.order());
+        let mut worst = recent.clone();
+        let mut past = 0;
+        while past < valid || frobenius(&transition) > COMPLETE || past % length != place {
+            // The call that lies so far back, by its place in the first cycle.
+            let call = 1 + (place + length - 1 - past % length) % length;
+            past += 1;
+            rows = self.enter(&mut recent, &rows, &mut begun, call, kernel);
+            transition = product(&transition, &self.transition(call));
+            if past >= valid && past % length == place {
+                let mut all = recent.clone();
+                self.finish(&mut all, &rows, &begun, true);
+                worst.raise(&all);
+            }
+            *spent += self.work();
+            if *spent > 2.0 * MOST_WORK {
+                return None;
+            }
+        }
+        Some(worst)
     }
 
     /// The worst call from V on, where the gain stays.

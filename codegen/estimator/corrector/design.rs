@@ -4,7 +4,7 @@ use super::errors::{Errors, Remaining};
 use super::exact::{Exact, Law};
 use super::schedule::Schedule;
 use super::settle::settle;
-use super::{Corrector, Counting};
+use super::{Corrector, Counting, interval};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::plant::Plant;
 use crate::promise::{CONTRACTED, Certificate, Convergence};
@@ -16,7 +16,7 @@ use crate::sampled::settle::Numerics;
 /// When the estimate counts as converged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Promise {
-    /// At this call from the first sample on.
+    /// At this call from the first sample on; with one output, a call of a sample.
     At(usize),
     /// When [`CONTRACTED`] of the initial error is left.
     Contracted,
@@ -82,8 +82,8 @@ pub fn build(request: &Request) -> Result<Built, Vec<Diagnostic>> {
         Promise::At(call) => call,
         Promise::Contracted => contracted(plant, &request.signals, &exact, counting)?,
     };
-    corrector.valid = valid;
-    let schedule = Schedule::new(&exact, counting, valid);
+    corrector.valid = valid / interval::calls(plant);
+    let schedule = Schedule::new(plant, &exact, counting, valid);
     let errors = Errors::new(plant, &request.signals, &exact, &schedule).ok_or_else(|| unobservable(plant))?;
     let remaining = errors.remaining(valid);
     let certificate = errors.certify(valid, &remaining);
@@ -101,7 +101,7 @@ const ROUNDS: usize = 8;
 /// The call at which a constant gain has made the initial error small enough: in the size that is taken over as many
 /// calls, so that it is found by rounds, and then from above.
 fn contracted(plant: &Plant, signals: &[Signal], exact: &Exact, counting: Counting) -> Result<usize, Vec<Diagnostic>> {
-    let over = |calls: usize| Schedule::new(exact, counting, calls);
+    let over = |calls: usize| Schedule::new(plant, exact, counting, calls);
     let most = MOST_CALLS.min(MOST_WORK / plant.states.len().pow(3).max(1));
     let mut valid = 0;
     for round in 0..=ROUNDS {
@@ -109,11 +109,14 @@ fn contracted(plant: &Plant, signals: &[Signal], exact: &Exact, counting: Counti
         let errors = Errors::new(plant, signals, exact, &schedule).ok_or_else(|| unobservable(plant))?;
         let radius = errors.radius();
         if radius >= 1.0 {
-            let label = format!("a call leaves {} of it in the long run", crate::numbers::short(radius));
+            let label = format!("{} {} of it in the long run", leaves(&schedule), crate::numbers::short(radius));
             return Err(vec![grows(plant, "the estimation error does not die out", radius).label(label)]);
         }
         let Some(found) = errors.reaches(CONTRACTED, most) else {
-            let label = format!("more than {most} calls; one leaves {radius} of it in the long run");
+            let label = match schedule.cycle.len() {
+                1 => format!("more than {most} calls; one leaves {radius} of it in the long run"),
+                calls => format!("more than {most} calls; {calls} leave {radius} of it in the long run"),
+            };
             let message = "the estimation error dies out too slowly to be certified";
             return Err(vec![grows(plant, message, radius).label(label)]);
         };
@@ -127,7 +130,15 @@ fn contracted(plant: &Plant, signals: &[Signal], exact: &Exact, counting: Counti
     while Errors::new(plant, signals, exact, &over(valid)).is_some_and(|e| e.remaining(valid).share > CONTRACTED) {
         valid += 1 + valid / 100;
     }
-    Ok(valid)
+    Ok(valid.next_multiple_of(interval::calls(plant)))
+}
+
+/// What makes the map whose radius is shown.
+fn leaves(schedule: &Schedule) -> String {
+    match schedule.cycle.len() {
+        1 => "a call leaves".to_owned(),
+        calls => format!("{calls} calls leave"),
+    }
 }
 
 fn grows(plant: &Plant, message: &str, radius: f64) -> Diagnostic {

@@ -260,9 +260,17 @@ impl<'a> Errors<'a> {
         }
     }
 
-    /// Whether every call has the same gain.
+    /// Whether every sample of an output has the same gain; the cycle goes round from the first call on.
     pub(super) fn is_constant(&self) -> bool {
-        self.cycle.len() == 1 && self.lead.iter().all(|gain| *gain == self.cycle[0])
+        let length = self.cycle.len();
+        let turned = self.lead.iter().rev().zip(self.cycle.iter().rev().cycle());
+        let column = |o: usize| self.cycle.iter().map(move |gain| gain.iter().map(|row| row[o]).collect::<Vec<f64>>());
+        let one = |o: usize| {
+            let mut due = column(o).filter(|column| column.iter().any(|entry| *entry != 0.0));
+            let first = due.next();
+            due.all(|other| Some(other) == first)
+        };
+        turned.into_iter().all(|(lead, cycle)| lead == cycle) && (length == 1 || (0..self.plant.outputs.len()).all(one))
     }
 
     /// The weights of the first sample in the state at the start, n x p.

@@ -1,9 +1,9 @@
 //! The observer at one precision.
 
-use super::Counting;
 use super::chain::Chain;
 use super::law::Rows;
 use super::sliding::ExactSliding;
+use super::{Counting, interval};
 use crate::diagnostic::Diagnostic;
 use crate::plant::Plant;
 use crate::real::{Matrix, Precision, Real, inverse};
@@ -87,7 +87,10 @@ impl Exact {
         precision: Precision,
     ) -> Result<Self, Vec<Diagnostic>> {
         let chain = if law.needs_chain() || scaled {
-            Some(Chain::new(&model.phi, &model.c).map_err(|error| super::design::no_chain(plant, &error.to_string()))?)
+            Some(
+                Chain::new(&interval::transition(plant, &model.phi), &model.c)
+                    .map_err(|error| super::design::no_chain(plant, &error.to_string()))?,
+            )
         } else {
             None
         };

@@ -176,7 +176,7 @@ impl Lowering<'_> {
         let predicted = self.predict();
         self.builder.section("correction by the innovation");
         let (innovation, lost) = self.innovation(&predicted);
-        let (corrections, left) = self.correct(&innovation, predicted.measured);
+        let (corrections, left) = self.correct(&innovation, self.counts(&predicted));
         let corrected: Vec<Value> =
             predicted.state.iter().zip(corrections).map(|(x, more)| self.builder.add(*x, more)).collect();
         let corrected = self.turned_back(corrected);
@@ -319,7 +319,7 @@ impl Lowering<'_> {
         let good = self.builder.read(self.cells.good);
         let more = self.builder.count_up(good, most);
         let more = self.builder.select(calm, more, one);
-        let good = self.builder.select(predicted.measured, more, good);
+        let good = self.builder.select(self.counts(predicted), more, good);
         let good = self.builder.select(again, first, good);
         self.builder.set(self.cells.good, good);
         // Since the start nothing has been missing: the first convergence alone counts.

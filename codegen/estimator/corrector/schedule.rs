@@ -1,8 +1,9 @@
 //! The gain of every call, in doubles: for what is promised, not for what is computed.
 
 use super::exact::{Exact, Law};
-use super::{After, Counting};
+use super::{After, Counting, interval};
 use crate::dense::Rows as Dense;
+use crate::plant::Plant;
 
 /// K, n x p, of every call after the first sample.
 #[derive(Clone, Debug)]
@@ -14,8 +15,35 @@ pub struct Schedule {
 }
 
 impl Schedule {
-    /// Of a design; `valid` is the call that is promised where the gain is constant.
-    pub fn new(exact: &Exact, counting: Counting, valid: usize) -> Self {
+    /// Of a design for its plant; `valid` is the call that is promised where the gain is constant.
+    pub fn new(plant: &Plant, exact: &Exact, counting: Counting, valid: usize) -> Self {
+        let calls = interval::calls(plant);
+        match &exact.law {
+            // The columns of what is not due are zero already.
+            Law::Periodic(_) => Self::at_every_sample(exact, counting, valid),
+            _ => Self::at_every_sample(exact, counting, valid.div_ceil(calls)).between(calls, valid),
+        }
+    }
+
+    /// Of samples that are due at every so many calls: nothing is corrected between them.
+    pub fn between(self, calls: usize, valid: usize) -> Self {
+        if calls == 1 {
+            return self;
+        }
+        let of = |call: usize| {
+            let sample = (call / calls).max(1);
+            let gain = match self.lead.get(sample - 1) {
+                Some(gain) => gain,
+                None => &self.cycle[(sample - 1 - self.lead.len()) % self.cycle.len()],
+            };
+            if call % calls == 0 { gain.clone() } else { gain.iter().map(|row| vec![0.0; row.len()]).collect() }
+        };
+        let cycle = (valid + 1..=valid + calls * self.cycle.len()).map(of).collect();
+        Self { lead: (1..=valid).map(of).collect(), cycle }
+    }
+
+    /// Of samples at every call.
+    fn at_every_sample(exact: &Exact, counting: Counting, valid: usize) -> Self {
         let of = |left: usize| exact.law.gain(exact, counting, left);
         if let Law::Periodic(gains) = &exact.law {
             // The first sample is the cycle's first call.

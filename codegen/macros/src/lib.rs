@@ -5,18 +5,19 @@
 use std::path::Path;
 use std::str::FromStr as _;
 
-use deadbeat_codegen::Generator;
-use deadbeat_codegen::Settings;
 use deadbeat_codegen::internals::emit;
 use deadbeat_codegen::internals::emit::Door;
 use deadbeat_codegen::internals::output::header;
+use deadbeat_codegen::{Generator, Settings};
 use proc_macro::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 use syn::parse::{ParseStream, Parser as _};
 
 /// Expands to the observer of a specification: `Measurements`, `Inputs`, `Estimate`, `Observer`.
 ///
 /// The path is relative to the crate's `Cargo.toml`. What the file's `[target]` says can be
-/// overridden behind it. Put it into a module of its own:
+/// overridden behind it. What else a build script's `Build` can say has no place here: an expansion
+/// writes no files, so it has neither folder nor other languages, and each observer wants a module of
+/// its own, so each has a line of its own. Put it into such a module:
 ///
 /// ```ignore
 /// mod motor {

@@ -1,13 +1,12 @@
 //! The Kalman filter of outputs at several rates.
 
-use super::super::constant::{Asked, design};
+use super::super::constant::{Asked, Outputs, design};
 use super::super::noise;
 use super::{METHOD, RESIDUAL, said_of, unsettled};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::estimator::Design;
 use crate::estimator::corrector::exact::{Exact, Law};
 use crate::estimator::corrector::periodic::{Periodic, cycle, periodic};
-use crate::expr::Symbol;
 use crate::numbers::count;
 use crate::plant::Plant;
 use crate::real::Precision;
@@ -29,7 +28,6 @@ impl Rates {
     pub(super) fn new(plant: &Plant, found: &mut Vec<Diagnostic>) -> Option<Self> {
         let slowest = plant.outputs.iter().filter(|output| output.every > 1).max_by_key(|output| output.every)?;
         let every: Vec<usize> = plant.outputs.iter().map(|output| output.every).collect();
-        refuse_nonlinear(plant, found);
         let most = MOST_CALLS.min(MOST_NUMBERS / (plant.states.len() * plant.outputs.len()));
         let Some(calls) = cycle(&every, most) else {
             let message = "the outputs come together too rarely for a table of gains";
@@ -68,7 +66,17 @@ impl Rates {
             outputs.join(", "),
             self.calls
         );
-        design(plant, Asked { method: METHOD.name, summary, warnings: Vec::new(), law: &law, notes: &notes })
+        design(
+            plant,
+            Asked {
+                method: METHOD.name,
+                outputs: Outputs::Any,
+                summary,
+                warnings: Vec::new(),
+                law: &law,
+                notes: &notes,
+            },
+        )
     }
 
     fn filter(
@@ -80,28 +88,5 @@ impl Rates {
     ) -> Result<Periodic, Vec<Diagnostic>> {
         let found = periodic(&model.phi, &model.c, &noise.at(plant, p)?, &self.every, self.calls);
         found.map_err(|failure| noise.said(plant, failure))
-    }
-}
-
-/// A nonlinear term is evaluated at every call, and so must be what it is of.
-fn refuse_nonlinear(plant: &Plant, found: &mut Vec<Diagnostic>) {
-    for injection in &plant.injections {
-        let symbols = injection.symbols();
-        let slow = plant.outputs.iter().enumerate().find(|(o, output)| {
-            let shows = |symbol: &Symbol| match symbol {
-                Symbol::State(j) => plant.states[*j].measured.iter().any(|(shown, _)| shown == o),
-                _ => false,
-            };
-            output.every > 1 && symbols.iter().any(shows)
-        });
-        if let Some((_, output)) = slow {
-            let name = &output.label.name;
-            let message = format!("`{}` needs a sample of `{name}` at every call", injection.text);
-            let error = Diagnostic::error(codes::METHOD_CANNOT, injection.node.span.clone(), message);
-            let label = format!("measured at every {} calls", output.every);
-            found.push(
-                error.context(output.every_span.clone(), label).help("measure it at every call, or linearise the term"),
-            );
-        }
     }
 }

@@ -10,7 +10,7 @@ use crate::estimator::corrector::deviation::{Deviations, Noisy};
 use crate::estimator::corrector::exact::Exact;
 use crate::estimator::corrector::riccati::{Noise, closed_loop, contracts, first_covariance, steady, transient};
 use crate::estimator::corrector::schedule::Schedule;
-use crate::estimator::corrector::{After, Counting};
+use crate::estimator::corrector::{After, Counting, interval};
 use crate::expr::Constant;
 use crate::method::noise;
 use crate::numbers::{count, short};
@@ -148,17 +148,19 @@ pub(crate) struct Law {
 }
 
 impl Law {
-    /// K of calls 1, 2, …, at one precision.
+    /// K of samples 1, 2, …, at one precision.
     pub(super) fn gains(
         &self,
         plant: &Plant,
         model: &Model,
         p: Precision,
-        calls: usize,
+        samples: usize,
     ) -> Result<Vec<Matrix>, Vec<Diagnostic>> {
         let noise = self.noise.at(plant, p)?;
         let start = self.start(plant, &noise, p);
-        transient(&model.phi, &model.c, &noise, &start, calls).map_err(|failure| self.noise.said(plant, failure))
+        let noise = interval::noise(plant, &model.phi, noise);
+        let phi = interval::transition(plant, &model.phi);
+        transient(&phi, &model.c, &noise, &start, samples).map_err(|failure| self.noise.said(plant, failure))
     }
 
     fn start(&self, plant: &Plant, noise: &Noise, p: Precision) -> Matrix {
@@ -183,7 +185,9 @@ pub(crate) fn handover(
     model: &Model,
     p: Precision,
 ) -> Result<Matrix, Vec<Diagnostic>> {
-    let found = steady(&model.phi, &model.c, &noise.at(plant, p)?).map_err(|failure| noise.said(plant, failure))?;
+    let white = interval::noise(plant, &model.phi, noise.at(plant, p)?);
+    let phi = interval::transition(plant, &model.phi);
+    let found = steady(&phi, &model.c, &white).map_err(|failure| noise.said(plant, failure))?;
     Ok(found.gain)
 }
 
@@ -210,7 +214,9 @@ pub(super) fn check(plant: &Plant, keys: &Keys, counting: Counting, after: &Rang
 pub(super) fn refuse_growth(plant: &Plant, exact: &Exact, counting: Counting) -> Result<(), Vec<Diagnostic>> {
     let crate::estimator::corrector::exact::Law::Table(gains) = &exact.law else { return Ok(()) };
     let last = gains.last().filter(|_| counting.after == After::Hold);
-    if last.is_none_or(|gain| contracts(&closed_loop(&exact.model.phi, &exact.model.c, gain))) {
+    if last.is_none_or(|gain| {
+        contracts(&closed_loop(&interval::transition(plant, &exact.model.phi), &exact.model.c, gain))
+    }) {
         return Ok(());
     }
     let message = "with the table's last gain, held, the error does not die out";
@@ -254,6 +260,8 @@ pub(crate) fn notes(
     if law.is_some() {
         return notes;
     }
+    let calls = interval::calls(plant);
+    let (phi, white) = (interval::transition(plant, &phi), interval::noise(plant, &phi, white));
     let Ok(filter) = steady(&phi, &c, &white) else { return notes };
     let unknown = |i: usize| {
         let deviation = filter.predicted[(i, i)].checked_sqrt().unwrap_or_else(|_| Real::zero(p));
@@ -261,8 +269,9 @@ pub(crate) fn notes(
     };
     let unknown: Vec<Real> = (0..plant.states.len()).map(unknown).collect();
     let start = first_covariance(&readout(plant, p), &unknown, &white);
-    let Ok(gains) = transient(&phi, &c, &white, &start, lead) else { return notes };
+    let Ok(gains) = transient(&phi, &c, &white, &start, lead / calls) else { return notes };
     let table = Schedule { lead: gains.iter().map(Matrix::to_f64).collect(), cycle: vec![filter.gain.to_f64()] };
+    let table = table.between(calls, lead);
     let theirs = noisy.deviations(start.to_f64(), &table);
     if is_better(&theirs, &ours) {
         notes.push(format!(

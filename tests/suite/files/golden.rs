@@ -1,5 +1,5 @@
 //! Claim: `generated/{rust,c,step}` hold what the corpus generates, byte for byte and nothing else, and every
-//! method of the registry can be seen in the corpus, in `generated/` and in the README.
+//! method of the registry can be seen in the corpus, in `generated/`, in the README and in the manual.
 //!
 //! `DEADBEAT_BLESS=1` rewrites them; their difference in a review is the description of the
 //! change.
@@ -79,12 +79,13 @@ fn generated_files_are_up_to_date() {
     assert!(wrong.is_empty(), "DEADBEAT_BLESS=1 rewrites generated/\n{}", wrong.join("\n"));
 }
 
-/// Claim: every method has a specification in the corpus and a row in the README's table.
+/// Claim: every method has a specification in the corpus and a row in the README's and the manual's tables.
 #[test]
 fn every_method_can_be_seen() {
     wanted_and_blessed();
     let corpus = corpus();
-    let readme = fs::read_to_string(root().join("README.md")).unwrap_or_default();
+    let pages = ["README.md", "manual/choosing.md"]
+        .map(|path| (path, fs::read_to_string(root().join(path)).unwrap_or_default()));
     let mut missing = Vec::new();
     for method in METHODS {
         let table = format!("[observer.{}]", method.name);
@@ -99,8 +100,10 @@ fn every_method_can_be_seen() {
         if !users.iter().any(mentioned) {
             missing.push(format!("generated/step/*.step: # Method     {}: …", method.name));
         }
-        if !readme.lines().any(|line| line.contains(&format!("| `{}`", method.name))) {
-            missing.push(format!("README.md: | `{}` | {} | {} |", method.name, method.summary, method.source));
+        for (path, text) in &pages {
+            if !text.lines().any(|line| line.starts_with(&format!("| `{}` |", method.name))) {
+                missing.push(format!("{path}: | `{}` | {} | {} |", method.name, method.summary, method.source));
+            }
         }
     }
     assert!(missing.is_empty(), "a method is not shown everywhere; these lines are missing:\n{}", missing.join("\n"));

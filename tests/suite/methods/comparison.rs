@@ -1,4 +1,4 @@
-//! Claim: what the README says of the methods against each other is what the designs do: on 003's signal and noise, on
+//! Claim: what the manual says of the methods against each other is what the designs do: on 003's signal and noise, on
 //! white noise, and on a step of the sensor. `tests/golden/comparison.md` is the table; `DEADBEAT_BLESS=1 cargo test
 //! --test suite comparison::` makes it.
 //!
@@ -230,7 +230,7 @@ fn the_table_is_what_the_designs_do() {
         fs::write(format!("{}/{path}", env!("CARGO_MANIFEST_DIR")), &computed).expect("the table is written");
     }
     assert_eq!(read(path), computed, "DEADBEAT_BLESS=1 rewrites {path}");
-    assert!(read("README.md").contains(&computed), "README.md: the table of {path} is another");
+    assert!(read("manual/compared.md").contains(&computed), "manual/compared.md: the table of {path} is another");
 }
 
 /// The samples are those of the reference trajectories.

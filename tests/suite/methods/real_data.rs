@@ -60,7 +60,7 @@ fn the_interpreter_gives_the_velocity() {
     }
 }
 
-/// What the README's table compares: its first column, and the specification.
+/// What the manual's table compares: its first column, and the specification.
 fn compared() -> Vec<(String, String)> {
     let text = corpus("pendulum");
     let (plant, rest) = text.split_once("[observer.window]").unwrap();
@@ -93,10 +93,10 @@ fn compared() -> Vec<(String, String)> {
     rows
 }
 
-/// The README's table: error, deadline, memory and operations of every method that can, to the digits that it gives.
+/// The manual's table: error, deadline, memory and operations of every method that can, to the digits that it gives.
 #[test]
 fn the_table_is_measured() {
-    let readme = std::fs::read_to_string(format!("{}/README.md", env!("CARGO_MANIFEST_DIR"))).unwrap();
+    let page = std::fs::read_to_string(format!("{}/manual/compared.md", env!("CARGO_MANIFEST_DIR"))).unwrap();
     let recorded = recording();
     let mut missing = String::new();
     for (label, text) in compared() {
@@ -132,12 +132,12 @@ fn the_table_is_measured() {
             "| {label} | {rms:.4} rad/s | {largest:.4} rad/s | {deadline} | {} bytes | {operations}{sine} |",
             cost.ram_bytes
         );
-        if !readme.contains(&row) {
+        if !page.contains(&row) {
             missing.push_str(&row);
             missing.push('\n');
         }
     }
-    assert!(missing.is_empty(), "not in the README:\n{missing}");
+    assert!(missing.is_empty(), "not in manual/compared.md:\n{missing}");
 }
 
 /// Through the command line.

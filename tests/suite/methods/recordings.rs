@@ -1,5 +1,5 @@
 //! Claim: on recordings of a drive and of a car the chains of integrators give the numbers that a prototype in double
-//! precision gave; `deadbeat compare` gives the README's table; the time stamps of a satellite receiver matter where they
+//! precision gave; `deadbeat compare` gives the manual's table; the time stamps of a satellite receiver matter where they
 //! tell which samples are missing.
 
 use crate::support::plant;
@@ -85,7 +85,7 @@ fn a_drive_by_hand_and_by_itself() {
     }
 }
 
-/// The README's command, in a format.
+/// The manual's command, in a format.
 fn table(format: &str) -> String {
     let arguments = ["compare", "--table", "specs/compare/table.toml", "--format", format];
     let output = Command::new(env!("CARGO_BIN_EXE_deadbeat")).current_dir(root()).args(arguments).output();
@@ -110,17 +110,17 @@ fn number(row: &Value, key: &str) -> f64 {
     row[key].as_f64().unwrap_or_else(|| panic!("{key}: {row}"))
 }
 
-/// Claim: the README's tables are what its command prints.
+/// Claim: the manual's tables are what its command prints.
 #[test]
-fn the_readme_has_the_table() {
-    let (readme, page) = (read("README.md"), table("markdown"));
+fn the_manual_has_the_table() {
+    let (manual, page) = (read("manual/compared.md"), table("markdown"));
     let quoted: Vec<&str> = page.lines().filter(|line| !line.is_empty()).collect();
-    let missing: Vec<&str> = quoted.iter().copied().filter(|line| !readme.contains(line)).collect();
-    assert!(missing.is_empty(), "not in the README:\n{}", missing.join("\n"));
+    let missing: Vec<&str> = quoted.iter().copied().filter(|line| !manual.contains(line)).collect();
+    assert!(missing.is_empty(), "not in manual/compared.md:\n{}", missing.join("\n"));
     // Nor has it rows of another version.
-    let begin = readme.find(quoted[0]).expect("the first title");
-    let end = begin + readme[begin..].find("\n### ").unwrap_or(readme.len() - begin);
-    let rows = readme[begin..end].lines().filter(|line| line.starts_with('|'));
+    let begin = manual.find(quoted[0]).expect("the first title");
+    let end = begin + manual[begin..].find("\n## ").unwrap_or(manual.len() - begin);
+    let rows = manual[begin..end].lines().filter(|line| line.starts_with('|'));
     assert_eq!(rows.count(), page.lines().filter(|line| line.starts_with('|')).count());
 }
 
@@ -186,7 +186,7 @@ fn stamps_tell_which_samples_are_missing() {
     }
     let error = f64::sqrt(squares / f64::from(rows));
     println!("no stamps: {error} m/s");
-    // As the README says, to two digits.
+    // As the manual says, to two digits.
     assert!((error - 2.3).abs() < 0.05, "{error}");
 }
 
@@ -201,7 +201,7 @@ fn north_at(time: f64) -> f64 {
 }
 
 /// Claim: a quotient over the receiver's own stamps is right to 0.13 m/s, over those of reception to 1.7 m/s, as the
-/// README says.
+/// manual says.
 #[test]
 fn a_quotient_over_stamps_of_reception_is_useless() {
     let north = column("rav4_gnss", "north");

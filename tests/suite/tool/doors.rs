@@ -4,6 +4,7 @@
 //! The cargo projects are one workspace with a target folder that stays, so that the generator is
 //! built once.
 
+use crate::support::pages::Page;
 use crate::support::{compile, corpus};
 
 use std::fs;
@@ -94,7 +95,7 @@ fn users() -> &'static Path {
     static USERS: OnceLock<PathBuf> = OnceLock::new();
     USERS.get_or_init(|| {
         let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("doors_users");
-        let members = ["built", "built_wrong", "expanded", "expanded_wrong", "expanded_unknown"];
+        let members = ["built", "built_wrong", "expanded", "expanded_wrong", "expanded_unknown", "readme"];
         let workspace = format!("[workspace]\nresolver = \"3\"\nmembers = {members:?}\n\n[profile.dev]\ndebug = false\n\n[profile.dev.build-override]\ndebug = false\n");
         put(&folder.join("Cargo.toml"), &workspace);
         // The versions that this repository was built with are the ones that are there.
@@ -107,12 +108,19 @@ fn users() -> &'static Path {
              deadbeat-codegen = {{ path = {codegen:?}, default-features = false }}\n"
         );
         let expanded = format!("edition = \"2024\"\n\n[dependencies]\ndeadbeat = {{ path = {runtime:?}, features = [\"macros\"] }}\n");
+        let both = built.replace("/runtime\" }", "/runtime\", features = [\"macros\"] }");
+        let readme = Page::read("README.md");
         for name in members {
             let dependencies = if name.starts_with("built") { &built } else { &expanded };
+            let dependencies = if name == "readme" { &both } else { dependencies };
             put(&folder.join(name).join("Cargo.toml"), &format!("[package]\nname = \"{name}\"\n{dependencies}"));
             let text = if name.ends_with("_wrong") { wrong_motor().0 } else { motor() };
+            let text = if name == "readme" { readme.block("toml", "deadbeat = 1").to_owned() } else { text };
             put(&folder.join(name).join("motor.toml"), &text);
         }
+        let (script, main) = readme_rust(&readme);
+        put(&folder.join("readme/build.rs"), &script);
+        put(&folder.join("readme/src/main.rs"), &main);
         let include = "mod dc_motor {\n    include!(concat!(env!(\"OUT_DIR\"), \"/dc_motor.rs\"));\n}";
         for name in ["built", "built_wrong"] {
             put(&folder.join(name).join("build.rs"), "fn main() {\n    deadbeat_codegen::build(\"motor.toml\");\n}\n");
@@ -129,6 +137,32 @@ fn users() -> &'static Path {
         );
         folder
     })
+}
+
+/// The README's Rust: `build.rs`, and `src/main.rs` with the module of the build script and, beside it, of the macro.
+fn readme_rust(readme: &Page) -> (String, String) {
+    let (script, main) = readme.block("rust", "fn main() {").split_once('\n').expect("two files");
+    let (_, door) = readme.text.split_once("**a macro**").expect("the third door");
+    let (include, expansion) = (main.lines().next().expect("a module"), door.split('`').nth(1).expect("a module"));
+    assert!(include.starts_with("mod motor {") && expansion.starts_with("mod motor {"), "{include}\n{expansion}");
+    let rest = "{
+        let mut observer = motor::Observer::new();
+        (0..1000).map(|_| speed(&mut observer, 0.0, 0.0)).last()
+    }";
+    let in_place = main.replace(include, expansion);
+    let main = format!(
+        "{main}
+mod in_place {{
+    {in_place}
+    pub fn at_rest() -> Option<f32> {rest}
+}}
+
+fn main() {{
+    println!(\"{{:?}} {{:?}}\", {rest}, in_place::at_rest());
+}}
+"
+    );
+    (script.to_owned(), main)
 }
 
 /// A cargo command in the users' workspace.
@@ -151,6 +185,12 @@ fn fails(arguments: &[&str]) -> String {
 #[test]
 fn a_build_script() {
     assert_eq!(succeed(&mut users_cargo(&["run", "-p", "built"])), expected(Scalar::F32));
+}
+
+/// Claim: the README's Rust compiles as it stands, by the build script and by the macro, and knows a motor at rest.
+#[test]
+fn the_readme_s_rust() {
+    assert_eq!(succeed(&mut users_cargo(&["run", "-p", "readme"])), "Some(0.0) Some(0.0)\n");
 }
 
 /// Claim: a mistake in the specification ends the build with the report, which names file and line.

@@ -7,7 +7,7 @@ use crate::program::builder::Builder;
 use crate::program::{CellId, Value};
 use crate::step::logic::all;
 
-use super::{Lowering, calls};
+use super::{Lowering, Predicted, calls};
 
 /// Per output that is not due at every call, its count.
 pub(super) fn cells(b: &mut Builder, plant: &Plant) -> Vec<Option<CellId>> {
@@ -33,6 +33,11 @@ impl Lowering<'_> {
             Some(due)
         });
         each.collect()
+    }
+
+    /// Whether a call counts: with one output, each that has its sample; with several, each that has those that are due.
+    pub(super) fn counts(&self, predicted: &Predicted) -> Value {
+        if self.plant.outputs.len() == 1 { predicted.complete } else { predicted.measured }
     }
 
     /// Whether there is a sample of every output that is due.

@@ -1,42 +1,36 @@
-//! A recording with the specifications to be compared on it, as the command line or a file of such groups gives it.
+//! A recording with the specifications to be compared on it, as a file of such groups gives it.
 //!
 //! ```toml
 //! [[recording]]
 //! title = "A pendulum by hand"
 //! log = "../data/hand.csv"              # paths are relative to this file
 //! reference_log = "../data/truth.csv"   # only where the references are not in the recording
-//! references = { dq = "dq_ref" }        # --reference
-//! map = { t = "t_sensor" }              # --map
-//! age = { y = "t_sensor" }              # --age
+//! references = { dq = "dq_ref" }        # Signals::reference
+//! map = { t = "t_sensor" }              # Signals::map
+//! age = { y = "t_sensor" }              # Signals::age
 //! specs = ["hand/window.toml", "hand/kalman.toml"]
 //! ```
 
 use std::collections::BTreeMap;
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use serde::Deserialize;
 
-use super::super::Failure;
-use super::super::columns::Signals;
+use super::super::signals::Signals;
 
 /// What is compared on one recording.
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Group {
     /// May be empty.
     pub title: String,
+    /// The specifications' files.
     pub specs: Vec<PathBuf>,
+    /// The recording's file.
     pub log: PathBuf,
+    /// The file with the references, where they are not in the recording.
     pub reference_log: Option<PathBuf>,
+    /// What its columns mean, and what is compared with them.
     pub signals: Signals,
-}
-
-impl Group {
-    /// The files that are read, with their roles in messages.
-    pub fn read(&self) -> impl Iterator<Item = (&'static str, &PathBuf)> {
-        let specs = self.specs.iter().map(|path| ("a specification", path));
-        let references = self.reference_log.iter().map(|path| ("--reference-log", path));
-        specs.chain([("--log", &self.log)]).chain(references)
-    }
 }
 
 #[derive(Deserialize)]
@@ -60,12 +54,12 @@ struct Entry {
     specs: Vec<PathBuf>,
 }
 
-/// Reads a file of groups.
-pub fn read(path: &Path) -> Result<Vec<Group>, Failure> {
-    let name = path.display();
-    let text = fs::read_to_string(path).map_err(|error| Failure::Wrong(format!("cannot read {name}: {error}")))?;
-    let file: File = toml::from_str(&text).map_err(|error| Failure::Wrong(format!("{name}: {error}")))?;
-    let folder = path.parent().unwrap_or(Path::new(""));
+/// Reads a file of groups, whose paths are relative to `folder`.
+///
+/// # Errors
+/// When the text is not TOML or has keys that mean nothing; with the place in it.
+pub fn parse(text: &str, folder: &Path) -> Result<Vec<Group>, String> {
+    let file: File = toml::from_str(text).map_err(|error| error.to_string())?;
     let pairs = |table: BTreeMap<String, String>| table.into_iter().collect();
     let group = |entry: Entry| Group {
         title: entry.title,

@@ -16,7 +16,9 @@ const BEHIND_NAME: f64 = 18.0;
 /// What a colour stands for.
 #[derive(Clone, Debug)]
 pub struct Entry {
+    /// Written beside the stroke.
     pub name: String,
+    /// Whose colour the stroke has.
     pub role: Role,
 }
 

@@ -2,83 +2,13 @@
 
 use std::io::Read;
 
-use clap::Args;
-use deadbeat_codegen::Plant;
+use crate::plant::Plant;
 
-use super::Failure;
-use super::files::explained;
 use super::interface::{Count, Interface, MeasuredKind};
+use super::mistake::SignalError;
 use super::recording::{Recording, RecordingError};
-use super::replay::Row;
-
-/// What the columns of a recording mean, where their names do not say it.
-#[derive(Args, Clone, Debug, Default)]
-pub struct Signals {
-    /// A measurement, an input or the time `t` that has another name in the recording, may be repeated
-    #[arg(long, value_name = "NAME=COLUMN", value_parser = renaming)]
-    pub map: Vec<(String, String)>,
-    /// A state and the column to compare it with, may be repeated
-    #[arg(long, value_name = "STATE=COLUMN", value_parser = renaming)]
-    pub reference: Vec<(String, String)>,
-    /// An output whose age is measured, and the column with its sensor's own time, s; may be repeated
-    #[arg(long, value_name = "OUTPUT=COLUMN", value_parser = renaming)]
-    pub age: Vec<(String, String)>,
-}
-
-fn renaming(text: &str) -> Result<(String, String), String> {
-    match text.split_once('=') {
-        Some((name, column)) if !name.is_empty() && !column.is_empty() => Ok((name.to_owned(), column.to_owned())),
-        _ => Err("write NAME=COLUMN".into()),
-    }
-}
-
-impl Signals {
-    /// The column that stands for a name.
-    fn column(&self, name: &str) -> String {
-        found(&self.map, name).unwrap_or_else(|| name.to_owned())
-    }
-
-    /// Refuses names that no specification knows.
-    pub fn check(&self, all: &[(&Plant, &Interface)]) -> Result<(), Failure> {
-        let of = if all.len() == 1 { "of the specification" } else { "of any specification" };
-        let input = |plant: &Plant, name: &str| plant.inputs.iter().any(|input| input.label.name == name);
-        let measured = |interface: &Interface, name: &str| interface.measurements.iter().any(|m| m.name == name);
-        let known = |name: &str| name == "t" || all.iter().any(|(p, i)| input(p, name) || measured(i, name));
-        if let Some((name, _)) = self.map.iter().find(|(name, _)| !known(name)) {
-            return Err(Failure::Misused(format!("--map: `{name}` is neither an output nor an input {of}, nor `t`")));
-        }
-        let aged = |name: &str| all.iter().any(|(_, interface)| measured(interface, &age_of(name)));
-        if let Some((name, _)) = self.age.iter().find(|(name, _)| !aged(name)) {
-            return Err(Failure::Misused(format!("--age: `{name}` is not an output {of} whose age is measured")));
-        }
-        if let Some((name, _)) = self.age.iter().find(|(name, _)| found(&self.map, &age_of(name)).is_some()) {
-            return Err(Failure::Misused(format!("--age {name}: --map names a column for `{}` already", age_of(name))));
-        }
-        Ok(())
-    }
-}
-
-impl Signals {
-    /// Refuses references to what one specification does not estimate.
-    pub fn check_references(&self, interface: &Interface) -> Result<(), Failure> {
-        let known = |name: &str| interface.quantities().any(|(_, answer)| answer.name == name);
-        match self.reference.iter().find(|(name, _)| !known(name)) {
-            Some((name, _)) => {
-                Err(Failure::Misused(format!("--reference: `{name}` is not a state of the specification")))
-            }
-            None => Ok(()),
-        }
-    }
-}
-
-/// The field that says how old an output's sample is.
-fn age_of(output: &str) -> String {
-    format!("{output}_age")
-}
-
-fn found(list: &[(String, String)], name: &str) -> Option<String> {
-    list.iter().find(|(from, _)| from == name).map(|(_, column)| column.clone())
-}
+use super::signals::{Signals, found};
+use super::steps::Row;
 
 /// Columns to be read, each once.
 #[derive(Clone, Debug, Default)]
@@ -135,15 +65,13 @@ impl Columns {
         there: &[String],
         selection: &mut Selection,
         all: bool,
-    ) -> Result<Self, Failure> {
+    ) -> Result<Self, SignalError> {
         // A time that was named with --map must be there; one that was not may be absent.
         let time = signals.column("t");
         let timed = time != "t" || there.contains(&time);
         let time = timed.then(|| selection.place(time));
         if let (None, Some((name, _))) = (time, signals.age.first()) {
-            return Err(Failure::Misused(format!(
-                "--age {name}: an age is the time `t` less the sensor's, and the recording has no column `t`"
-            )));
+            return Err(SignalError::Timeless { name: name.clone() });
         }
         let measurements: Vec<Cell> = interface
             .measurements
@@ -179,7 +107,7 @@ impl Columns {
     }
 
     /// The row of a step; a count that is none is an error with its place in the recording.
-    pub fn row<R>(&mut self, cells: &[f64], recording: &Recording<R>) -> Result<Row, Failure> {
+    pub fn row<R>(&mut self, cells: &[f64], recording: &Recording<R>) -> Result<Row, RecordingError> {
         let t = self.time.map(|place| cells[place]);
         let mut measurements = Vec::with_capacity(self.measurements.len());
         for cell in &self.measurements {
@@ -210,7 +138,7 @@ fn since(now: f64, stamp: f64) -> Option<f64> {
 }
 
 /// A cell that has to hold a count.
-fn counted<R>(value: f64, count: Count, column: &str, recording: &Recording<R>) -> Result<f64, Failure> {
+fn counted<R>(value: f64, count: Count, column: &str, recording: &Recording<R>) -> Result<f64, RecordingError> {
     let (least, most) = count.range();
     if value.fract() == 0.0 && (least..=most).contains(&value) {
         return Ok(value);
@@ -221,5 +149,5 @@ fn counted<R>(value: f64, count: Count, column: &str, recording: &Recording<R>) 
     } else {
         (format!("{value} is not {sign} integer of {} bits", count.bits), "the recording has to hold the raw counts")
     };
-    Err(explained(&recording.complaint(column, message, help)))
+    Err(recording.complaint(column, message, help))
 }

@@ -4,45 +4,15 @@
 //! therefore gets the held inputs of the row before and the first-order inputs of this one. Where
 //! the recording's time jumps over samples, the step is told that they are missing.
 
-use std::fmt::Write as _;
+use std::fmt;
 
-use deadbeat_codegen::Plant;
-use deadbeat_codegen::internals::numbers::short;
-use deadbeat_codegen::internals::plant::Hold;
-use deadbeat_codegen::program::interp::Interpreter;
-use deadbeat_codegen::program::{Program, Status};
+use crate::Generated;
+use crate::plant::{Hold, Plant};
+use crate::program::Status;
+use crate::program::interp::Interpreter;
 
 use super::interface::{Count, Interface, MeasuredKind, fold};
-
-/// Errors of one compared state after convergence.
-#[derive(Clone, Debug, Default)]
-pub struct Errors {
-    sum_of_squares: f64,
-    /// Largest magnitude; `None` when nothing was compared.
-    pub max: Option<f64>,
-    /// Rows compared.
-    pub rows: u64,
-}
-
-impl Errors {
-    fn add(&mut self, error: f64) {
-        self.sum_of_squares += error * error;
-        self.max = Some(self.max.map_or(error.abs(), |max| max.max(error.abs())));
-        self.rows += 1;
-    }
-
-    /// Root mean square; `None` when nothing was compared.
-    #[expect(clippy::cast_precision_loss, reason = "a recording has fewer than 2^53 rows")]
-    pub fn rms(&self) -> Option<f64> {
-        (self.rows > 0).then(|| (self.sum_of_squares / self.rows as f64).sqrt())
-    }
-
-    /// Root mean square and largest magnitude for people, `-` when nothing was compared.
-    pub fn shown(&self) -> (String, String) {
-        let shown = |value: Option<f64>| value.map_or_else(|| "-".into(), short);
-        (shown(self.rms()), shown(self.max))
-    }
-}
+use super::verdict::Errors;
 
 /// One row of a recording.
 #[derive(Clone, Debug, Default)]
@@ -68,10 +38,10 @@ pub struct Sample {
     pub status: Status,
 }
 
-/// A replay under way.
-pub struct Replay<'a> {
-    plant: &'a Plant,
-    interface: &'a Interface,
+/// A step that is fed with rows.
+pub struct Steps<'a> {
+    generated: &'a Generated,
+    interface: Interface,
     interpreter: Interpreter,
     held: Vec<f64>,
     previous: Option<Row>,
@@ -93,6 +63,23 @@ pub struct Replay<'a> {
     pub errors: Vec<Errors>,
 }
 
+/// Why a row's time does not fit.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct TimeError {
+    /// What is wrong with it.
+    pub message: String,
+    /// What to do about it.
+    pub help: Option<String>,
+}
+
+impl fmt::Display for TimeError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.message)
+    }
+}
+
+impl std::error::Error for TimeError {}
+
 /// Rows in a row whose spacing does not fit before the recording is refused.
 const ODD_ROWS: u32 = 8;
 /// Rows before the recording's rate is compared with the sample time: until then, jitter hides it.
@@ -105,16 +92,16 @@ const RATE_SHARE: f64 = 0.01;
 const LARGEST_GAP: f64 = 1e6;
 
 /// What to do about a recording at another rate.
-const RATE_HELP: &str = "help: set the specification's `sample_time` to the recording's, or resample the recording";
+const RATE_HELP: &str = "set the specification's `sample_time` to the recording's, or resample the recording";
 
-impl<'a> Replay<'a> {
+impl<'a> Steps<'a> {
     /// Starts with nothing seen.
-    pub fn new(plant: &'a Plant, interface: &'a Interface, program: &Program) -> Self {
+    pub fn new(generated: &'a Generated) -> Self {
+        let interface = Interface::of(generated);
         Self {
-            plant,
-            interface,
-            interpreter: Interpreter::new(program),
-            held: vec![0.0; plant.inputs.len()],
+            generated,
+            interpreter: Interpreter::new(&generated.program),
+            held: vec![0.0; generated.plant.inputs.len()],
             previous: None,
             start: None,
             steps: 0,
@@ -125,7 +112,22 @@ impl<'a> Replay<'a> {
             converged_from: None,
             left_out: 0,
             errors: vec![Errors::default(); interface.answers.len()],
+            interface,
         }
+    }
+
+    /// The design.
+    pub fn generated(&self) -> &'a Generated {
+        self.generated
+    }
+
+    /// The fields of the step.
+    pub fn interface(&self) -> &Interface {
+        &self.interface
+    }
+
+    fn plant(&self) -> &'a Plant {
+        &self.generated.plant
     }
 
     /// Whether the recording has times.
@@ -133,29 +135,32 @@ impl<'a> Replay<'a> {
         self.start.is_some()
     }
 
-    /// What the recording has that a report should not keep silent about, a line each.
-    pub fn remarks(&self, negative_ages: u64) -> String {
-        let mut text = String::new();
+    /// What the recording has that a report should not keep silent about, a line each; `negative_ages` are samples of
+    /// a later time than their row's.
+    pub fn remarks(&self, negative_ages: u64) -> Vec<String> {
+        let mut remarks = Vec::new();
         if !self.timed() {
-            let h = self.plant.sample_time_s();
-            let _ = writeln!(text, "the recording has no column `t`: its rows are taken to be {h} s apart");
+            let h = self.plant().sample_time_s();
+            remarks.push(format!("the recording has no column `t`: its rows are taken to be {h} s apart"));
         }
         if self.left_out > 0 {
             let counts = self.interface.measurements.iter().any(|field| field.kind.is_count());
             let what = if counts { "put on a straight line" } else { "treated as missing" };
-            let _ = writeln!(text, "{} samples that the recording's time leaves out were {what}", self.left_out);
+            remarks.push(format!("{} samples that the recording's time leaves out were {what}", self.left_out));
         }
         if negative_ages > 0 {
-            let _ = writeln!(
-                text,
+            remarks.push(format!(
                 "{negative_ages} samples are of a later time than their row and were treated as missing"
-            );
+            ));
         }
-        text
+        remarks
     }
 
-    /// One row; an error says why its time does not fit.
-    pub fn feed(&mut self, row: &Row) -> Result<Sample, String> {
+    /// Takes one row.
+    ///
+    /// # Errors
+    /// When its time does not rise, or is not that of the specification's sample time.
+    pub fn feed(&mut self, row: &Row) -> Result<Sample, TimeError> {
         let gap = self.gap(row)?;
         self.check_rate(row, gap)?;
         let previous = self.previous.take();
@@ -182,7 +187,7 @@ impl<'a> Replay<'a> {
 
     #[expect(clippy::cast_precision_loss, reason = "a recording has fewer than 2^53 rows")]
     fn now(&self) -> f64 {
-        self.steps as f64 * self.plant.sample_time_s()
+        self.steps as f64 * self.plant().sample_time_s()
     }
 
     fn compare(&mut self, row: &Row, estimate: &[f64], status: Status) {
@@ -215,7 +220,7 @@ impl<'a> Replay<'a> {
     #[expect(clippy::cast_precision_loss, reason = "a gap is below 10^6")]
     fn inputs(&mut self, previous: &Row, row: &Row, step: u64, gap: u64) -> Vec<f64> {
         let share = step as f64 / gap as f64;
-        for (i, input) in self.plant.inputs.iter().enumerate() {
+        for (i, input) in self.plant().inputs.iter().enumerate() {
             self.held[i] = match input.hold {
                 Hold::Zero => previous.inputs[i],
                 Hold::First if step == gap => row.inputs[i],
@@ -231,23 +236,23 @@ impl<'a> Replay<'a> {
         clippy::cast_sign_loss,
         reason = "rounded, positive and bounded just before"
     )]
-    fn gap(&mut self, row: &Row) -> Result<u64, String> {
+    fn gap(&mut self, row: &Row) -> Result<u64, TimeError> {
         let Some((before, now)) = self.previous.as_ref().and_then(|p| p.t).zip(row.t) else { return Ok(1) };
-        let h = self.plant.sample_time_s();
+        let h = self.plant().sample_time_s();
         let samples = (now - before) / h;
         if samples.is_nan() || samples <= 0.0 {
-            return Err(format!("the time does not rise: {now} s behind {before} s"));
+            return Err(unfit(format!("the time does not rise: {now} s behind {before} s")));
         }
         if samples > LARGEST_GAP {
-            return Err(format!("the time jumps by {samples:.0} samples, from {before} s to {now} s"));
+            return Err(unfit(format!("the time jumps by {samples:.0} samples, from {before} s to {now} s")));
         }
         let fits = (0.75..1.5).contains(&samples);
         self.odd_rows = if fits { 0 } else { self.odd_rows + 1 };
         if self.odd_rows == ODD_ROWS {
             let spacing = now - before;
-            return Err(format!(
-                "rows are {spacing:.6} s apart, the specification's sample time is {h} s\n{RATE_HELP}"
-            ));
+            return Err(another_rate(format!(
+                "rows are {spacing:.6} s apart, the specification's sample time is {h} s"
+            )));
         }
         Ok((samples.round() as u64).max(1))
     }
@@ -256,20 +261,28 @@ impl<'a> Replay<'a> {
     /// that of the steps: every row may be near the sample time, and the recording still be at
     /// another rate.
     #[expect(clippy::cast_precision_loss, reason = "a recording has fewer than 2^53 samples")]
-    fn check_rate(&self, row: &Row, gap: u64) -> Result<(), String> {
+    fn check_rate(&self, row: &Row, gap: u64) -> Result<(), TimeError> {
         let Some((start, now)) = self.start.zip(row.t).filter(|_| self.rows >= RATE_ROWS) else { return Ok(()) };
-        let h = self.plant.sample_time_s();
+        let h = self.plant().sample_time_s();
         // The first row is at step 0, the previous one at `self.steps - 1`.
         let steps = (self.steps - 1 + gap) as f64;
         if ((now - start) / h - steps).abs() <= RATE_SAMPLES + RATE_SHARE * steps {
             return Ok(());
         }
         let spacing = (now - start) / steps;
-        Err(format!(
+        Err(another_rate(format!(
             "samples are {spacing:.6} s apart in the mean of {steps} since the first row, \
-             the specification's sample time is {h} s\n{RATE_HELP}"
-        ))
+             the specification's sample time is {h} s"
+        )))
     }
+}
+
+fn unfit(message: String) -> TimeError {
+    TimeError { message, help: None }
+}
+
+fn another_rate(message: String) -> TimeError {
+    TimeError { message, help: Some(RATE_HELP.into()) }
 }
 
 /// The count at a share of the way from one count to another, the shorter way round.

@@ -1,12 +1,10 @@
 //! What is known of a quantity at some times, with straight lines between them.
 
-use std::path::Path;
+use std::io::Read;
 
-use super::super::Failure;
 use super::super::columns::Selection;
-use super::super::files::{explained, open};
 use super::super::interface::fold;
-use super::super::recording::Recording;
+use super::super::recording::{Recording, RecordingError};
 
 /// A reference over time.
 #[derive(Clone, Debug, Default)]
@@ -18,6 +16,32 @@ pub struct Track {
 }
 
 impl Track {
+    /// Reads references from a recording of their own, a track for each column; its times, `t`, have to rise.
+    ///
+    /// # Errors
+    /// When the recording is wrong, lacks a column, or its time does not rise.
+    pub fn read<R: Read>(mut recording: Recording<R>, columns: &[&str]) -> Result<Vec<Self>, RecordingError> {
+        let mut selection = Selection::default();
+        let time = selection.place("t".into());
+        let columns: Vec<usize> = columns.iter().map(|column| selection.place((*column).to_owned())).collect();
+        let mut cells = vec![0.0; selection.apply(&mut recording)?];
+        let mut tracks = vec![Self::default(); columns.len()];
+        let mut before = f64::NEG_INFINITY;
+        while recording.next_row(&mut cells)? {
+            let now = cells[time];
+            if now.is_nan() || now <= before {
+                let message = format!("the time does not rise: {now} s behind {before} s");
+                return Err(RecordingError { help: None, ..recording.complaint("t", message, "") });
+            }
+            before = now;
+            for (track, place) in tracks.iter_mut().zip(&columns) {
+                track.times.push(now);
+                track.values.push(cells[*place]);
+            }
+        }
+        Ok(tracks)
+    }
+
     /// First and last time.
     pub fn span(&self) -> Option<(f64, f64)> {
         self.times.first().copied().zip(self.times.last().copied())
@@ -45,33 +69,6 @@ impl Track {
             _ => f64::NAN,
         }
     }
-}
-
-/// Reads references from a recording of their own, a track for each column; its times have to rise.
-pub fn read(path: &Path, columns: &[&str]) -> Result<Vec<Track>, Failure> {
-    let (source, name) = open(path)?;
-    let mut recording = Recording::open(source, &name).map_err(|error| explained(&error))?;
-    let mut selection = Selection::default();
-    let time = selection.place("t".into());
-    let columns: Vec<usize> = columns.iter().map(|column| selection.place((*column).to_owned())).collect();
-    let mut cells = vec![0.0; selection.apply(&mut recording).map_err(|error| explained(&error))?];
-    let mut tracks = vec![Track::default(); columns.len()];
-    let mut before = f64::NEG_INFINITY;
-    while recording.next_row(&mut cells).map_err(|error| explained(&error))? {
-        let now = cells[time];
-        if now.is_nan() || now <= before {
-            let line = recording.line();
-            return Err(Failure::Wrong(format!(
-                "{name}:{line}: column `t`: the time does not rise: {now} s behind {before} s"
-            )));
-        }
-        before = now;
-        for (track, place) in tracks.iter_mut().zip(&columns) {
-            track.times.push(now);
-            track.values.push(cells[*place]);
-        }
-    }
-    Ok(tracks)
 }
 
 #[cfg(test)]

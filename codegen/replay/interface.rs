@@ -1,14 +1,17 @@
 //! What a step takes and gives, by the fields of its Program: what a replay hands over, and what it may compare.
 
-use deadbeat_codegen::internals::expr::Constant;
-use deadbeat_codegen::program::{Field, Kind, Status};
-use deadbeat_codegen::{Generated, Plant};
+use crate::Generated;
+use crate::expr::Constant;
+use crate::plant::Plant;
+use crate::program::{Field, Kind, Status};
 
 /// The fields of one step function.
 #[derive(Clone, Debug)]
 pub struct Interface {
     /// In the order of the Program.
     pub measurements: Vec<Measured>,
+    /// Names of the inputs, in the order of the plant.
+    pub inputs: Vec<String>,
     /// In the order of the Program.
     pub answers: Vec<Answer>,
     /// The place of the field that says how many windows have converged, where there are several.
@@ -91,7 +94,8 @@ impl Interface {
         });
         let windows =
             program.estimates.iter().position(|(field, _)| field.kind == Kind::Index && field.name == "windows");
-        Self { measurements: measurements.collect(), answers: answers.collect(), windows }
+        let inputs = plant.inputs.iter().map(|input| input.label.name.clone());
+        Self { measurements: measurements.collect(), inputs: inputs.collect(), answers: answers.collect(), windows }
     }
 
     /// Whether a field of an estimate has converged. The status is the shortest window's; a longer one has converged
@@ -136,7 +140,7 @@ impl Answer {
 }
 
 /// A difference without the whole turns in it.
-pub fn fold(difference: f64, turns: &[f64]) -> f64 {
+pub(crate) fn fold(difference: f64, turns: &[f64]) -> f64 {
     turns.iter().fold(difference, |d, turn| d - turn * (d / turn).round())
 }
 
@@ -173,6 +177,6 @@ fn turns(plant: &Plant, state: usize) -> Vec<f64> {
 }
 
 /// The nearest double.
-pub fn number(value: &Constant) -> f64 {
+pub(crate) fn number(value: &Constant) -> f64 {
     value.to_f64().unwrap_or(f64::NAN)
 }

@@ -36,6 +36,7 @@ pub type Point = (f64, f64);
 /// A whole figure; draw it with `to_string` or `write!`.
 #[derive(Clone, Debug, Default)]
 pub struct Figure {
+    /// Above everything, and the document's title.
     pub title: String,
     /// Lines below the title.
     pub subtitle: String,
@@ -74,6 +75,7 @@ pub struct Panel {
 /// The curves in one column of a panel.
 #[derive(Clone, Debug, Default)]
 pub struct Cell {
+    /// Drawn by the layers of their roles, in this order within one.
     pub curves: Vec<Curve>,
     /// An instant of time to be marked.
     pub marker: Option<Marker>,
@@ -86,14 +88,18 @@ pub struct Cell {
 pub struct Curve {
     /// Written at the end of the curve, may be empty.
     pub label: String,
+    /// How it is drawn.
     pub role: Role,
+    /// In the units of the figure's axes.
     pub points: Vec<Point>,
 }
 
 /// A vertical line with a name.
 #[derive(Clone, Debug)]
 pub struct Marker {
+    /// Its time.
     pub x: f64,
+    /// Written beside it.
     pub label: String,
 }
 

@@ -17,7 +17,7 @@ pub struct Score {
 }
 
 /// An estimate and what it is compared with.
-pub struct Pair<'a> {
+pub(super) struct Pair<'a> {
     pub answer: &'a Answer,
     /// Per row, s.
     pub times: &'a [f64],

@@ -1,10 +1,10 @@
 //! The figure of a contest: per quantity all estimates with the reference, and their errors below.
 
-use deadbeat_codegen::internals::numbers::short;
+use crate::numbers::short;
+use crate::replay::compare::{Contest, Quantity};
 
-use super::super::svg::{Cell, Column, Curve, Entry, Figure, Panel, Role};
-use super::super::thin::Thin;
-use super::contest::{Contest, Quantity};
+use super::svg::{Cell, Column, Curve, Entry, Figure, Panel, Role};
+use super::thin::Thin;
 
 /// Pixel columns of a panel.
 const COLUMNS: usize = 420;
@@ -14,8 +14,8 @@ const SHARE_IN_ZOOM: f64 = 0.05;
 const ROWS_IN_ZOOM: usize = 50;
 const CONVERGENCES_IN_ZOOM: f64 = 2.0;
 
-/// The finished figure.
-pub fn figure(contest: &Contest) -> Figure {
+/// Draws a contest: all estimates with the reference, their errors, and where the reference moves most.
+pub fn of_contest(contest: &Contest) -> Figure {
     let zoom = zoom(contest);
     let mut legend = vec![Entry { name: "reference".into(), role: Role::Reference }];
     let rivals = contest.rivals.iter().enumerate();
@@ -23,7 +23,7 @@ pub fn figure(contest: &Contest) -> Figure {
     let title = if contest.title.is_empty() { contest.log.clone() } else { contest.title.clone() };
     Figure {
         description: format!("{title}. {}.", sentence(contest)),
-        subtitle: contest.remarks.trim_end().to_owned(),
+        subtitle: contest.remarks.join("\n"),
         title,
         x_label: "time [s]".into(),
         legend,

@@ -2,8 +2,7 @@
 
 use std::fmt::Write as _;
 
-use deadbeat_codegen::internals::numbers::short;
-use serde_json::{Value, json};
+use crate::numbers::short;
 
 use super::contest::{Contest, Quantity, Rival};
 use super::score::Score;
@@ -64,7 +63,10 @@ pub fn text(contest: &Contest) -> String {
     if !contest.title.is_empty() {
         let _ = writeln!(text, "{}", contest.title);
     }
-    let _ = write!(text, "{}\n{}", contest.log, contest.remarks);
+    let _ = writeln!(text, "{}", contest.log);
+    for remark in &contest.remarks {
+        let _ = writeln!(text, "{remark}");
+    }
     for quantity in &contest.quantities {
         let _ = write!(text, "\n{}: {}\n\n", heading(quantity), compared(contest, quantity));
         let mut rows = vec![vec![String::new(), "method".to_owned()]];
@@ -110,16 +112,23 @@ pub fn markdown(contest: &Contest) -> String {
     text
 }
 
-/// The contest for machines, in SI units.
-pub fn json(contest: &Contest) -> Value {
-    let states: Vec<Value> = contest.quantities.iter().map(|quantity| quantity_json(contest, quantity)).collect();
-    let remarks: Vec<&str> = contest.remarks.lines().collect();
-    json!({ "title": contest.title, "log": contest.log, "rows": contest.rows, "remarks": remarks, "states": states })
+/// The contest for machines, in SI units; the keys are those of the manual.
+#[cfg(feature = "json")]
+pub fn json(contest: &Contest) -> serde_json::Value {
+    let states = contest.quantities.iter().map(|quantity| quantity_json(contest, quantity));
+    serde_json::json!({
+        "title": contest.title,
+        "log": contest.log,
+        "rows": contest.rows,
+        "remarks": contest.remarks,
+        "states": states.collect::<Vec<_>>(),
+    })
 }
 
-fn quantity_json(contest: &Contest, quantity: &Quantity) -> Value {
+#[cfg(feature = "json")]
+fn quantity_json(contest: &Contest, quantity: &Quantity) -> serde_json::Value {
     let rows = contest.rivals.iter().zip(&quantity.scores).map(|(rival, score)| {
-        json!({
+        serde_json::json!({
             "specification": rival.name,
             "file": rival.file,
             "method": rival.method,
@@ -134,7 +143,7 @@ fn quantity_json(contest: &Contest, quantity: &Quantity) -> Value {
         })
     });
     let compared = &quantity.compared;
-    json!({
+    serde_json::json!({
         "state": quantity.answer.name,
         "unit": quantity.answer.unit,
         "reference": quantity.column,

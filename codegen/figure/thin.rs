@@ -6,8 +6,7 @@
 //! become twice as wide and neighbours merge. From the second point on, the time range holds between
 //! `columns` and `2 * columns` buckets, so that a bucket is never wider than a pixel column.
 
-/// A point of a curve: time and value.
-pub type Point = (f64, f64);
+use super::svg::Point;
 
 /// The lowest and the highest point of every pixel column seen so far.
 #[derive(Clone, Debug)]

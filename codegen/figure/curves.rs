@@ -1,11 +1,13 @@
 //! The figure of a replay: per state its estimate with measurement and reference, and the error.
 
-use deadbeat_codegen::internals::numbers::{seconds, short};
-use deadbeat_codegen::internals::real::Rational;
-use deadbeat_codegen::{Generated, Plant};
+use std::io::Read;
 
-use super::interface::{Answer, Interface, MeasuredKind, fold, number};
-use super::replay::{Replay, Row, Sample};
+use crate::Generated;
+use crate::numbers::{seconds, short};
+use crate::plant::Plant;
+use crate::real::Rational;
+use crate::replay::{Answer, Compared, Interface, MeasuredKind, Replay, Step, Verdict, fold, number};
+
 use super::svg::{Cell, Column, Curve, Figure, Marker, Panel, Role};
 use super::thin::Thin;
 
@@ -55,15 +57,17 @@ struct Measured {
 
 /// All curves of a replay, thinned as they come.
 pub struct Curves<'a> {
-    interface: &'a Interface,
+    generated: &'a Generated,
+    interface: Interface,
     quantities: Vec<Quantity>,
     start: Option<f64>,
     zoom_s: f64,
 }
 
 impl<'a> Curves<'a> {
-    /// Prepares the curves; `compared` says which fields have a reference.
-    pub fn new(generated: &Generated, interface: &'a Interface, compared: &[bool]) -> Self {
+    /// Prepares the curves of a replay that is about to begin.
+    pub fn new<R: Read>(replay: &Replay<'a, R>) -> Self {
+        let (generated, interface, compared) = (replay.generated(), replay.interface(), replay.compared());
         let plant = &generated.plant;
         let quantities = interface.quantities().map(|(field, answer)| Quantity {
             field,
@@ -77,11 +81,11 @@ impl<'a> Curves<'a> {
             reference: compared[field].then(|| (Line::new(), Line::new())),
         });
         let zoom_s = seconds(WINDOWS_IN_ZOOM * generated.design.window_steps.max(1), plant.sample_time_s());
-        Self { interface, quantities: quantities.collect(), start: None, zoom_s }
+        Self { generated, interface: interface.clone(), quantities: quantities.collect(), start: None, zoom_s }
     }
 
     /// Takes one row and what the step made of it.
-    pub fn add(&mut self, row: &Row, sample: &Sample) {
+    pub fn add(&mut self, Step { row, sample }: &Step) {
         let start = *self.start.get_or_insert(sample.t);
         let zoom = sample.t - start <= self.zoom_s;
         let t = sample.t;
@@ -105,16 +109,16 @@ impl<'a> Curves<'a> {
         }
     }
 
-    /// The finished figure.
-    pub fn figure(&self, generated: &Generated, replay: &Replay) -> Figure {
-        let plant = &generated.plant;
+    /// The finished figure, with the errors of the verdict in it.
+    pub fn figure(&self, verdict: &Verdict) -> Figure {
+        let Generated { plant, design, .. } = self.generated;
         let title = if plant.title.is_empty() { plant.name.clone() } else { plant.title.clone() };
         let start = self.start.unwrap_or(0.0);
         let first = format!("the first {} s", short(self.zoom_s));
-        let panels = self.quantities.iter().flat_map(|quantity| self.panels(generated, replay, quantity));
+        let panels = self.quantities.iter().flat_map(|quantity| self.panels(verdict, quantity));
         Figure {
-            description: format!("{title}. Estimate by {}: {}.", generated.design.method, self.sentence(replay)),
-            subtitle: format!("{}: {}\n{}", generated.design.method, generated.design.summary, self.sentence(replay)),
+            description: format!("{title}. Estimate by {}: {}.", design.method, sentence(verdict)),
+            subtitle: format!("{}: {}\n{}", design.method, design.summary, sentence(verdict)),
             title,
             x_label: "time [s]".into(),
             legend: Vec::new(),
@@ -126,31 +130,9 @@ impl<'a> Curves<'a> {
         }
     }
 
-    /// The errors in words.
-    fn sentence(&self, replay: &Replay) -> String {
-        let compared = self.quantities.iter().filter(|quantity| quantity.reference.is_some());
-        let errors: Vec<(u64, String)> = compared
-            .map(|Quantity { field, answer, .. }| {
-                let errors = &replay.errors[*field];
-                let (rms, max) = errors.shown();
-                (errors.rows, format!("{} {rms} RMS, {max} maximum {}", answer.name, answer.unit))
-            })
-            .collect();
-        let Some((rows, _)) = errors.first() else {
-            return format!("{} rows, nothing to compare with", replay.rows);
-        };
-        // References with gaps of their own are compared over rows of their own.
-        if errors.iter().all(|(other, _)| other == rows) {
-            let list: Vec<&str> = errors.iter().map(|(_, text)| text.as_str()).collect();
-            return format!("error over {rows} converged rows: {}", list.join("; ").trim_end());
-        }
-        let list: Vec<String> = errors.iter().map(|(rows, text)| format!("{} over {rows}", text.trim_end())).collect();
-        format!("error over converged rows: {}", list.join("; "))
-    }
-
     /// One panel for the quantity and, with a reference, one for the error.
-    fn panels(&self, generated: &Generated, replay: &Replay, quantity: &Quantity) -> Vec<Panel> {
-        let label = &quantity.answer;
+    fn panels(&self, verdict: &Verdict, quantity: &Quantity) -> Vec<Panel> {
+        let (generated, label) = (self.generated, &quantity.answer);
         let unit = if label.unit.is_empty() { String::new() } else { format!(" [{}]", label.unit) };
         let converged =
             self.start.unwrap_or(0.0) + seconds(generated.design.valid_from_step, generated.plant.sample_time_s());
@@ -179,7 +161,7 @@ impl<'a> Curves<'a> {
                 marker: None,
                 band: None,
             };
-            let (rms, max) = replay.errors[quantity.field].shown();
+            let (rms, max) = verdict.errors(&label.name).cloned().unwrap_or_default().shown();
             panels.push(Panel {
                 y_label: format!("error of {}{unit}", label.name),
                 title: format!("{rms} RMS, {max} maximum"),
@@ -188,6 +170,25 @@ impl<'a> Curves<'a> {
         }
         panels
     }
+}
+
+/// The errors in words.
+fn sentence(verdict: &Verdict) -> String {
+    let words = |Compared { answer, errors }: &Compared| {
+        let (rms, max) = errors.shown();
+        (errors.rows, format!("{} {rms} RMS, {max} maximum {}", answer.name, answer.unit))
+    };
+    let errors: Vec<(u64, String)> = verdict.compared.iter().map(words).collect();
+    let Some((rows, _)) = errors.first() else {
+        return format!("{} rows, nothing to compare with", verdict.rows);
+    };
+    // References with gaps of their own are compared over rows of their own.
+    if errors.iter().all(|(other, _)| other == rows) {
+        let list: Vec<&str> = errors.iter().map(|(_, text)| text.as_str()).collect();
+        return format!("error over {rows} converged rows: {}", list.join("; ").trim_end());
+    }
+    let list: Vec<String> = errors.iter().map(|(rows, text)| format!("{} over {rows}", text.trim_end())).collect();
+    format!("error over converged rows: {}", list.join("; "))
 }
 
 /// The field of the measurements that is one state, alone and as it is.
