@@ -232,7 +232,7 @@ impl Report {
         self.objects().into()
     }
 
-    #[cfg(feature = "cli")]
+    #[cfg(feature = "json")]
     fn objects(&self) -> Vec<serde_json::Value> {
         let own = self.diagnostics.iter().map(|d| self.one_to_json(d));
         own.chain(self.others.iter().flat_map(Self::objects)).collect()

@@ -80,6 +80,8 @@ fn all_or_nothing() {
     assert_eq!(report.others.len(), 1, "{text}");
     assert!(text.contains("error[DB0202]") && text.contains("b.toml:"), "{text}");
     assert!(text.contains("error[DB0501]") && text.contains("c.toml"), "{text}");
+    let json = report.to_json().to_string();
+    assert!(["DB0202", "DB0501"].iter().all(|code| json.contains(code)), "{json}");
 }
 
 /// Claim: what cannot be met is an error with a way out.
