@@ -6,7 +6,7 @@
 //! spec text -> Spec -> Plant -> Design -> Program -> .rs, .h + .c, .step
 //! ```
 //!
-//! Text in, a list of files out; only [`build`], [`Output::write_to`] and [`Output::verify`], the macro and
+//! Text in, a list of files out; only [`Build`], [`Output::write_to`] and [`Output::verify`], the macro and
 //! the command line touch the disk. Start at [`Generator`].
 
 /// The rooms of the generator, for its own tests and tools. They promise nothing: any of it may change with any version.
@@ -43,7 +43,7 @@ use internals::{
     decimal, dense, emit, estimator, expr, generated, method, names, numbers, output, plant, real, sampled, spec, step,
 };
 
-pub use build::build;
+pub use build::{Build, build};
 pub use diagnostic::{Report, Source};
 pub use estimator::{Design, Estimator};
 pub use generated::{Generated, VERSION};

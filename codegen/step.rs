@@ -4,10 +4,15 @@
 
 pub mod ahead;
 pub mod cells;
+pub mod coasting;
 pub mod front;
+pub mod gate;
 pub mod given;
 pub mod guard;
 pub mod injections;
+pub mod inputs;
+pub mod known;
 pub mod logic;
 pub mod missing;
+pub mod rates;
 pub mod report;

@@ -2,7 +2,7 @@
 
 use std::io::Read;
 
-use crate::Generated;
+use crate::generated::Generated;
 use crate::numbers::{seconds, short};
 use crate::plant::Plant;
 use crate::real::Rational;

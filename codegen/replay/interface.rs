@@ -1,7 +1,7 @@
 //! What a step takes and gives, by the fields of its Program: what a replay hands over, and what it may compare.
 
-use crate::Generated;
 use crate::expr::Constant;
+use crate::generated::Generated;
 use crate::plant::Plant;
 use crate::program::{Field, Kind, Status};
 

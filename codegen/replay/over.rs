@@ -2,7 +2,7 @@
 
 use std::io::Read;
 
-use crate::Generated;
+use crate::generated::Generated;
 
 use super::columns::{Columns, Selection};
 use super::interface::Interface;

@@ -6,7 +6,7 @@
 
 use std::fmt;
 
-use crate::Generated;
+use crate::generated::Generated;
 use crate::plant::{Hold, Plant};
 use crate::program::Status;
 use crate::program::interp::Interpreter;

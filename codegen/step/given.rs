@@ -5,11 +5,49 @@
 
 use crate::plant::Plant;
 use crate::program::builder::Builder;
-use crate::program::{Value, place};
+use crate::program::{CellId, Value, place};
 use crate::sampled::settled::round;
-use crate::step::front;
-use crate::step::injections::initial_output;
-use crate::step::logic::all;
+
+use super::front;
+use super::injections::{Injections, Moment, Samples, initial_output};
+use super::logic::all;
+
+/// How long a given state is what is known: a cell that is 0, or 1 while it is, or 2 where the caller vouched for it.
+#[derive(Clone, Copy)]
+pub(crate) struct Running(CellId);
+
+impl Running {
+    /// Declares the cell; `doc` says until when.
+    pub(crate) fn declare(b: &mut Builder, doc: &str) -> Self {
+        Self(b.index_cell("given", doc, 0))
+    }
+
+    /// Whether the last call had nothing better.
+    pub(crate) fn active(self, b: &mut Builder) -> Value {
+        let (running, none) = (b.read(self.0), b.index(0));
+        b.index_less(none, running)
+    }
+
+    /// Whether the caller vouched for it.
+    pub(crate) fn vouched(self, b: &mut Builder) -> Value {
+        let (running, one) = (b.read(self.0), b.index(1));
+        b.index_less(one, running)
+    }
+
+    /// Keeps it for the next call where it is still active.
+    pub(crate) fn keep(self, b: &mut Builder, active: Value) {
+        let (running, none) = (b.read(self.0), b.index(0));
+        let kept = b.select(active, running, none);
+        b.set(self.0, kept);
+    }
+
+    /// In a start: trusted, where the caller vouches.
+    pub(crate) fn begin(self, b: &mut Builder, vouched: Value) {
+        let (one, two) = (b.index(1), b.index(2));
+        let running = b.select(vouched, two, one);
+        b.set(self.0, running);
+    }
+}
 
 /// The given state in a start, with `initial` for what cannot be used; and whether the caller vouches for all of it.
 pub(crate) fn state(b: &mut Builder, plant: &Plant, bound: f64) -> (Vec<Value>, Value) {
@@ -59,4 +97,30 @@ fn sum(b: &mut Builder, plant: &Plant, state: &[Value], output: usize) -> Value 
         terms.push(b.mul(c, *x));
     }
     b.sum(&terms)
+}
+
+/// A value within a bound of zero, else zero.
+pub(crate) fn within(b: &mut Builder, value: Value, bound: f64) -> Value {
+    let (sane, zero) = (b.in_range(value, -bound, bound), b.float(0.0));
+    b.select(sane, value, zero)
+}
+
+/// The nonlinear terms as they are before the first call, from what a given state shows; inputs are zero.
+pub(crate) fn terms<'a>(b: &mut Builder, plant: &'a Plant, calls: CellId) -> Injections<'a> {
+    let zeros = plant.inputs.iter().map(|_| b.float(0.0)).collect();
+    Injections::new(plant, calls, zeros)
+}
+
+/// One of them, within a bound.
+pub(crate) fn term(b: &mut Builder, terms: &Injections, k: usize, outputs: &[Value], bound: f64) -> Value {
+    let value = terms.evaluate(b, k, &Moment::Given, Samples::These(outputs));
+    within(b, value, bound)
+}
+
+/// What a signal that runs straight between calls brought at the last one: at the first call, before which nothing is
+/// known of it, what it is now.
+pub(crate) fn begun(b: &mut Builder, calls: CellId, now: Value, before: Value) -> Value {
+    let (calls, none) = (b.read(calls), b.index(0));
+    let first = b.index_equal(calls, none);
+    b.select(first, now, before)
 }

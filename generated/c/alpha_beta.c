@@ -81,10 +81,10 @@ void alpha_beta_step(alpha_beta_state *state, const alpha_beta_measurements *mea
     state->clean = t41;
 
     /* the estimate */
-    const int t47 = 318U < t36;
-    const int t48 = 378U < t41;
-    const alpha_beta_status t49 = t48 ? ALPHA_BETA_CONVERGED : ALPHA_BETA_COASTING;
-    const alpha_beta_status t50 = t47 ? t49 : ALPHA_BETA_CONVERGING;
+    const int t44 = 318U < t36;
+    const int t45 = 378U < t41;
+    const alpha_beta_status t49 = t45 ? ALPHA_BETA_CONVERGED : ALPHA_BETA_COASTING;
+    const alpha_beta_status t50 = t44 ? t49 : ALPHA_BETA_CONVERGING;
 
     estimate->altitude = t30;
     estimate->daltitude = t31;

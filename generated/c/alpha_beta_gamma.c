@@ -90,10 +90,10 @@ void alpha_beta_gamma_step(alpha_beta_gamma_state *state, const alpha_beta_gamma
     state->clean = t50;
 
     /* the estimate */
-    const int t56 = 196U < t45;
-    const int t57 = 216U < t50;
-    const alpha_beta_gamma_status t58 = t57 ? ALPHA_BETA_GAMMA_CONVERGED : ALPHA_BETA_GAMMA_COASTING;
-    const alpha_beta_gamma_status t59 = t56 ? t58 : ALPHA_BETA_GAMMA_CONVERGING;
+    const int t53 = 196U < t45;
+    const int t54 = 216U < t50;
+    const alpha_beta_gamma_status t58 = t54 ? ALPHA_BETA_GAMMA_CONVERGED : ALPHA_BETA_GAMMA_COASTING;
+    const alpha_beta_gamma_status t59 = t53 ? t58 : ALPHA_BETA_GAMMA_CONVERGING;
 
     estimate->x = t38;
     estimate->dx = t39;

@@ -159,10 +159,10 @@ static void car_rates_part_2(car_rates_state *state, car_rates_work *work)
     state->clean = t86;
 
     /* the estimate */
-    const int t92 = 693U < t81;
-    const int t93 = 880U < t86;
-    const car_rates_status t94 = t93 ? CAR_RATES_CONVERGED : CAR_RATES_COASTING;
-    work->t95 = t92 ? t94 : CAR_RATES_CONVERGING;
+    const int t89 = 693U < t81;
+    const int t90 = 880U < t86;
+    const car_rates_status t94 = t90 ? CAR_RATES_CONVERGED : CAR_RATES_COASTING;
+    work->t95 = t89 ? t94 : CAR_RATES_CONVERGING;
 }
 
 void car_rates_init(car_rates_state *state)

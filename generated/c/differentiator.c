@@ -135,10 +135,10 @@ static void differentiator_part_2(differentiator_work *work)
     const double t87 = 10000.0 * work->t65;
     work->t88 = t86 + t87;
     work->t90 = 1000000.0 * work->t65;
-    const int t95 = 249U < work->t71;
-    const int t96 = 190U < work->t76;
-    const differentiator_status t97 = t96 ? DIFFERENTIATOR_CONVERGED : DIFFERENTIATOR_COASTING;
-    work->t98 = t95 ? t97 : DIFFERENTIATOR_CONVERGING;
+    const int t92 = 249U < work->t71;
+    const int t93 = 190U < work->t76;
+    const differentiator_status t97 = t93 ? DIFFERENTIATOR_CONVERGED : DIFFERENTIATOR_COASTING;
+    work->t98 = t92 ? t97 : DIFFERENTIATOR_CONVERGING;
 }
 
 void differentiator_init(differentiator_state *state)

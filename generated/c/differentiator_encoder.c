@@ -112,10 +112,10 @@ void differentiator_encoder_step(differentiator_encoder_state *state, const diff
     const float t71 = 500.0f * t55;
     const float t72 = t69 + t71;
     const float t74 = 1000000.0f * t55;
-    const int t79 = 180U < t62;
-    const int t80 = 69U < t67;
-    const differentiator_encoder_status t81 = t80 ? DIFFERENTIATOR_ENCODER_CONVERGED : DIFFERENTIATOR_ENCODER_COASTING;
-    const differentiator_encoder_status t82 = t79 ? t81 : DIFFERENTIATOR_ENCODER_CONVERGING;
+    const int t76 = 180U < t62;
+    const int t77 = 69U < t67;
+    const differentiator_encoder_status t81 = t77 ? DIFFERENTIATOR_ENCODER_CONVERGED : DIFFERENTIATOR_ENCODER_COASTING;
+    const differentiator_encoder_status t82 = t76 ? t81 : DIFFERENTIATOR_ENCODER_CONVERGING;
 
     estimate->angle = t53;
     estimate->dangle = t72;

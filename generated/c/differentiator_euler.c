@@ -128,10 +128,10 @@ static void differentiator_euler_part_2(differentiator_euler_work *work)
     /* the estimate */
     work->t86 = 2.0f * work->t71;
     work->t88 = 4.0f * work->t72;
-    const int t93 = 105U < work->t79;
-    const int t94 = 86U < work->t84;
-    const differentiator_euler_status t95 = t94 ? DIFFERENTIATOR_EULER_CONVERGED : DIFFERENTIATOR_EULER_COASTING;
-    work->t96 = t93 ? t95 : DIFFERENTIATOR_EULER_CONVERGING;
+    const int t90 = 105U < work->t79;
+    const int t91 = 86U < work->t84;
+    const differentiator_euler_status t95 = t91 ? DIFFERENTIATOR_EULER_CONVERGED : DIFFERENTIATOR_EULER_COASTING;
+    work->t96 = t90 ? t95 : DIFFERENTIATOR_EULER_CONVERGING;
 }
 
 void differentiator_euler_init(differentiator_euler_state *state)

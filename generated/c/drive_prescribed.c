@@ -213,10 +213,10 @@ static void drive_prescribed_part_3(drive_prescribed_state *state, drive_prescri
     state->clean = t192;
 
     /* the estimate */
-    const int t197 = 160U < t187;
-    const int t198 = 237U < t192;
-    const drive_prescribed_status t199 = t198 ? DRIVE_PRESCRIBED_CONVERGED : DRIVE_PRESCRIBED_COASTING;
-    work->t200 = t197 ? t199 : DRIVE_PRESCRIBED_CONVERGING;
+    const int t194 = 160U < t187;
+    const int t195 = 237U < t192;
+    const drive_prescribed_status t199 = t195 ? DRIVE_PRESCRIBED_CONVERGED : DRIVE_PRESCRIBED_COASTING;
+    work->t200 = t194 ? t199 : DRIVE_PRESCRIBED_CONVERGING;
 }
 
 void drive_prescribed_init(drive_prescribed_state *state)

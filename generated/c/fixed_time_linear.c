@@ -111,10 +111,10 @@ void fixed_time_linear_step(fixed_time_linear_state *state, const fixed_time_lin
     state->clean = t76;
 
     /* the estimate */
-    const int t81 = 2U < t71;
-    const int t82 = 2U < t76;
-    const fixed_time_linear_status t83 = t82 ? FIXED_TIME_LINEAR_CONVERGED : FIXED_TIME_LINEAR_COASTING;
-    const fixed_time_linear_status t84 = t81 ? t83 : FIXED_TIME_LINEAR_CONVERGING;
+    const int t78 = 2U < t71;
+    const int t79 = 2U < t76;
+    const fixed_time_linear_status t83 = t79 ? FIXED_TIME_LINEAR_CONVERGED : FIXED_TIME_LINEAR_COASTING;
+    const fixed_time_linear_status t84 = t78 ? t83 : FIXED_TIME_LINEAR_CONVERGING;
 
     estimate->x = t64;
     estimate->v = t65;

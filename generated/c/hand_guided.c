@@ -201,17 +201,17 @@ static void hand_guided_part_1(hand_guided_state *state, const hand_guided_measu
     const uint32_t t24 = t21 ? t22 : t23;
     state->rejected_y = t24;
     const int t25 = !t21;
-    const int t26 = t6 && t25;
-    const int t27 = !t20;
-    const int t28 = t16 && t27;
+    const int t26 = !t20;
+    const int t27 = t6 && t25;
+    const int t28 = t16 && t26;
     const int t29 = t4 && t11;
     const float t30 = t29 ? t8 : t9;
-    const float t31 = t26 ? t5 : t30;
-    const int t32 = t26 || t29;
+    const float t31 = t27 ? t5 : t30;
+    const int t32 = t27 || t29;
     const int t33 = !t32;
     const uint32_t t34 = state->since;
     const uint32_t t35 = (t34 < 4294967295U) ? (t34 + 1U) : 4294967295U;
-    work->t36 = t26 ? 0U : t35;
+    work->t36 = t27 ? 0U : t35;
     state->since = work->t36;
 
     /* how much of the window is good */
@@ -220,12 +220,12 @@ static void hand_guided_part_1(hand_guided_state *state, const hand_guided_measu
     const uint32_t t40 = (t2 < 132U) ? (t2 + 1U) : 132U;
     const uint32_t t41 = t33 ? 0U : t40;
     const uint32_t t42 = t37 ? t40 : 1U;
-    const uint32_t t43 = t26 ? t42 : 0U;
+    const uint32_t t43 = t27 ? t42 : 0U;
     const uint32_t t44 = t38 ? t41 : t43;
     state->count = t44;
     const uint32_t t45 = state->coasting;
     const uint32_t t46 = (t45 > 0U) ? (t45 - 1U) : 0U;
-    const uint32_t t48 = t26 ? t46 : 132U;
+    const uint32_t t48 = t27 ? t46 : 132U;
     state->coasting = t48;
 
     /* into the window */

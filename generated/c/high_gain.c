@@ -435,10 +435,10 @@ void high_gain_step(high_gain_state *state, const high_gain_measurements *measur
     state->clean = t74;
 
     /* the estimate */
-    const int t80 = 847U < t69;
-    const int t81 = 1005U < t74;
-    const high_gain_status t82 = t81 ? HIGH_GAIN_CONVERGED : HIGH_GAIN_COASTING;
-    const high_gain_status t83 = t80 ? t82 : HIGH_GAIN_CONVERGING;
+    const int t77 = 847U < t69;
+    const int t78 = 1005U < t74;
+    const high_gain_status t82 = t78 ? HIGH_GAIN_CONVERGED : HIGH_GAIN_COASTING;
+    const high_gain_status t83 = t77 ? t82 : HIGH_GAIN_CONVERGING;
 
     estimate->sway = t63;
     estimate->rate = t64;

@@ -355,7 +355,7 @@ typedef struct {
     float t113;
     uint32_t t127;
     joint_wrapped_status t135;
-    int flags[3]; /* t62, t66, t79 */
+    int flags[3]; /* t68, t69, t79 */
 } joint_wrapped_work;
 
 /* Part 1 of a step. */
@@ -406,23 +406,23 @@ static void joint_wrapped_part_1(joint_wrapped_state *state, const joint_wrapped
     const float t53 = t47 - t52;
     const int t54 = (-0.3f <= t53) && (t53 <= 0.3f);
     const int t55 = !t54;
-    const int t56 = t55 && t46;
-    const int t57 = t56 && t1;
+    const int t56 = t46 && t55;
+    const int t57 = t1 && t56;
     const uint32_t t58 = state->rejected_angle;
-    const uint32_t t59 = (t58 < 89U) ? (t58 + 1U) : 89U;
-    const int t61 = 88U < t59;
-    work->flags[0] = t57 && t61;
-    const int t63 = !t61;
-    const int t64 = t57 && t63;
-    const int t65 = !t64;
-    work->flags[1] = t1 && t65;
-    const uint32_t t68 = t1 ? 0U : t58;
-    const uint32_t t69 = t64 ? t59 : t68;
-    state->rejected_angle = t69;
+    const int t61 = t58 < 88U;
+    const int t62 = t57 && t61;
+    const uint32_t t63 = (t58 < 89U) ? (t58 + 1U) : 89U;
+    const uint32_t t64 = t1 ? 0U : t58;
+    const uint32_t t65 = t62 ? t63 : t64;
+    state->rejected_angle = t65;
+    const int t66 = !t62;
+    const int t67 = !t61;
+    work->flags[0] = t1 && t66;
+    work->flags[1] = t57 && t67;
     const int t70 = (-6.2831855f <= t42) && (t42 <= 6.2831855f);
     const float t71 = state->last_angle;
     const float t72 = t70 ? t42 : t71;
-    work->t73 = work->flags[1] ? t15 : t72;
+    work->t73 = work->flags[0] ? t15 : t72;
     const float t74 = joint_wrapped_sin_f32(work->t73);
     const float t75 = -8.161565e-5f * t74;
     work->t76 = t31 + t75;
@@ -430,7 +430,7 @@ static void joint_wrapped_part_1(joint_wrapped_state *state, const joint_wrapped
     work->t78 = t39 + t77;
     state->last_known1 = t74;
     state->last_angle = work->t73;
-    work->flags[2] = t17 && work->flags[1];
+    work->flags[2] = t17 && work->flags[0];
 }
 
 /* Part 2 of a step. */
@@ -440,14 +440,14 @@ static void joint_wrapped_part_2(joint_wrapped_state *state, joint_wrapped_work 
     const float t80 = work->t76 - work->t20;
     const int t81 = (-3.1415927f <= t80) && (t80 <= 3.1415927f);
     const int t82 = !t81;
-    const int t83 = t82 || work->flags[0];
+    const int t83 = t82 || work->flags[1];
     const float t85 = work->t73 - work->t76;
     const float t86 = t85 * 0.15915494f;
     const float t87 = t86 + 1.2582912e7f;
     const float t88 = t87 - 1.2582912e7f;
     const float t89 = t88 * 6.2831855f;
     const float t90 = t85 - t89;
-    const float t91 = work->flags[1] ? t90 : 0.0f;
+    const float t91 = work->flags[0] ? t90 : 0.0f;
     const float t93 = 0.26904923f * t91;
     const float t95 = 8.415041f * t91;
     const float t96 = work->t76 + t93;
@@ -467,14 +467,14 @@ static void joint_wrapped_part_2(joint_wrapped_state *state, joint_wrapped_work 
     const int t108 = (-1e36f <= t97) && (t97 <= 1e36f);
     const int t109 = !t108;
     const int t110 = t107 || t109;
-    const float t111 = work->flags[1] ? work->t73 : 0.0f;
+    const float t111 = work->flags[0] ? work->t73 : 0.0f;
     work->t112 = t110 ? t111 : t102;
     state->q = work->t112;
     work->t113 = t110 ? 0.0f : t97;
     state->dq = work->t113;
-    const uint32_t t115 = work->flags[1] ? 1U : 0U;
+    const uint32_t t115 = work->flags[0] ? 1U : 0U;
     const uint32_t t116 = (work->t45 < 90U) ? (work->t45 + 1U) : 90U;
-    const uint32_t t117 = work->flags[1] ? t116 : work->t45;
+    const uint32_t t117 = work->flags[0] ? t116 : work->t45;
     const uint32_t t118 = t110 ? t115 : t117;
     state->good = t118;
     const uint32_t t119 = state->clean;
@@ -484,15 +484,15 @@ static void joint_wrapped_part_2(joint_wrapped_state *state, joint_wrapped_work 
     state->clean = t123;
     const uint32_t t124 = state->coasted;
     const uint32_t t125 = (t124 < 4294967295U) ? (t124 + 1U) : 4294967295U;
-    const uint32_t t126 = work->flags[1] ? 0U : t125;
+    const uint32_t t126 = work->flags[0] ? 0U : t125;
     state->coasted = t126;
 
     /* the estimate */
     work->t127 = state->coasted;
-    const int t132 = 89U < t118;
-    const int t133 = 98U < t123;
-    const joint_wrapped_status t134 = t133 ? JOINT_WRAPPED_CONVERGED : JOINT_WRAPPED_COASTING;
-    work->t135 = t132 ? t134 : JOINT_WRAPPED_CONVERGING;
+    const int t129 = 89U < t118;
+    const int t130 = 98U < t123;
+    const joint_wrapped_status t134 = t130 ? JOINT_WRAPPED_CONVERGED : JOINT_WRAPPED_COASTING;
+    work->t135 = t129 ? t134 : JOINT_WRAPPED_CONVERGING;
 }
 
 void joint_wrapped_init(joint_wrapped_state *state)

@@ -87,7 +87,7 @@ typedef struct {
     float last_angle;        /* the last angle, measured or predicted */
     float last_known1;       /* sin(q) of the last call */
     float last_i;            /* the last good value */
-    uint32_t rejected_angle; /* samples of angle rejected in a row, below 89 */
+    uint32_t rejected_angle; /* samples of angle rejected in a row */
     uint32_t coasted;        /* calls since the newest accepted sample */
 } joint_wrapped_state;
 

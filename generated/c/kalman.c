@@ -420,10 +420,10 @@ void kalman_step(kalman_state *state, const kalman_measurements *measurements,
     state->clean = t59;
 
     /* the estimate */
-    const int t65 = 397U < t54;
-    const int t66 = 439U < t59;
-    const kalman_status t67 = t66 ? KALMAN_CONVERGED : KALMAN_COASTING;
-    const kalman_status t68 = t65 ? t67 : KALMAN_CONVERGING;
+    const int t62 = 397U < t54;
+    const int t63 = 439U < t59;
+    const kalman_status t67 = t63 ? KALMAN_CONVERGED : KALMAN_COASTING;
+    const kalman_status t68 = t62 ? t67 : KALMAN_CONVERGING;
 
     estimate->theta = t48;
     estimate->omega = t49;

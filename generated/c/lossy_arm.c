@@ -468,14 +468,14 @@ static void lossy_arm_part_2(lossy_arm_state *state, lossy_arm_work *work)
     const uint32_t t65 = t62 ? t63 : t64;
     state->rejected_y = t65;
     const int t66 = !t62;
-    const int t67 = work->flags[0] && t66;
-    const int t68 = !t61;
-    const int t69 = t57 && t68;
+    const int t67 = !t61;
+    const int t68 = work->flags[0] && t66;
+    const int t69 = t57 && t67;
     const float t71 = state->y[work->t1];
     const int t72 = work->flags[2] && t42;
     const float t73 = t72 ? t41 : t71;
-    const float t74 = t67 ? work->t17 : t73;
-    work->t75 = t67 ? 1.0f : 0.0f;
+    const float t74 = t68 ? work->t17 : t73;
+    work->t75 = t68 ? 1.0f : 0.0f;
     work->t76 = lossy_arm_sin_f32(t74);
     const float t77 = -2.332167e-5f * work->t76;
     const float t78 = t26 + t77;
@@ -491,14 +491,14 @@ static void lossy_arm_part_2(lossy_arm_state *state, lossy_arm_work *work)
     const int t88 = (-6.2831855f <= t87) && (t87 <= 6.2831855f);
     const int t89 = work->flags[2] && t88;
     const float t90 = t89 ? t87 : t74;
-    work->t91 = t67 ? work->t17 : t90;
-    const int t92 = !t67;
+    work->t91 = t68 ? work->t17 : t90;
+    const int t92 = !t68;
     const int t93 = !t88;
     const int t94 = work->flags[2] && t93;
     const int t95 = t92 && t94;
     const uint32_t t96 = state->since;
     const uint32_t t97 = (t96 < 4294967295U) ? (t96 + 1U) : 4294967295U;
-    work->t98 = t67 ? 0U : t97;
+    work->t98 = t68 ? 0U : t97;
     state->since = work->t98;
 
     /* how much of the window is good */
@@ -514,7 +514,7 @@ static void lossy_arm_part_2(lossy_arm_state *state, lossy_arm_work *work)
     const uint32_t t108 = state->coasting;
     const uint32_t t109 = (t108 > 0U) ? (t108 - 1U) : 0U;
     const uint32_t t110 = work->flags[1] ? t109 : 25U;
-    const uint32_t t112 = t67 ? t110 : 26U;
+    const uint32_t t112 = t68 ? t110 : 26U;
     state->coasting = t112;
 }
 

@@ -458,10 +458,10 @@ static void luenberger_part_2(luenberger_state *state, luenberger_work *work)
     state->clean = t98;
 
     /* the estimate */
-    const int t104 = 415U < t93;
-    const int t105 = 425U < t98;
-    const luenberger_status t106 = t105 ? LUENBERGER_CONVERGED : LUENBERGER_COASTING;
-    work->t107 = t104 ? t106 : LUENBERGER_CONVERGING;
+    const int t101 = 415U < t93;
+    const int t102 = 425U < t98;
+    const luenberger_status t106 = t102 ? LUENBERGER_CONVERGED : LUENBERGER_COASTING;
+    work->t107 = t101 ? t106 : LUENBERGER_CONVERGING;
 }
 
 void luenberger_init(luenberger_state *state)

@@ -757,9 +757,9 @@ static void motor_known_start_part_4(motor_known_start_state *state, motor_known
     work->t187 = t176 ? work->t89 : t186;
     const uint32_t t188 = state->coasting;
     const int t189 = t188 == 0U;
-    const motor_known_start_status t193 = t189 ? MOTOR_KNOWN_START_CONVERGED : MOTOR_KNOWN_START_COASTING;
-    const int t194 = t174 || t177;
-    work->t195 = t194 ? t193 : MOTOR_KNOWN_START_CONVERGING;
+    const int t190 = t174 || t177;
+    const motor_known_start_status t194 = t189 ? MOTOR_KNOWN_START_CONVERGED : MOTOR_KNOWN_START_COASTING;
+    work->t195 = t190 ? t194 : MOTOR_KNOWN_START_CONVERGING;
 }
 
 void motor_known_start_init(motor_known_start_state *state)

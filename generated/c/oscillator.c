@@ -117,10 +117,10 @@ static void oscillator_part_1(oscillator_state *state, const oscillator_measurem
     state->clean = t90;
 
     /* the estimate */
-    const int t95 = 90U < t85;
-    const int t96 = 39U < t90;
-    const oscillator_status t97 = t96 ? OSCILLATOR_CONVERGED : OSCILLATOR_COASTING;
-    work->t98 = t95 ? t97 : OSCILLATOR_CONVERGING;
+    const int t92 = 90U < t85;
+    const int t93 = 39U < t90;
+    const oscillator_status t97 = t93 ? OSCILLATOR_CONVERGED : OSCILLATOR_COASTING;
+    work->t98 = t92 ? t97 : OSCILLATOR_CONVERGING;
 }
 
 void oscillator_init(oscillator_state *state)

@@ -128,10 +128,10 @@ static void oscillator_handover_part_1(oscillator_handover_state *state, const o
 static void oscillator_handover_part_2(oscillator_handover_work *work)
 {
     /* the estimate */
-    const int t102 = 90U < work->t92;
-    const int t103 = 230U < work->t97;
-    const oscillator_handover_status t104 = t103 ? OSCILLATOR_HANDOVER_CONVERGED : OSCILLATOR_HANDOVER_COASTING;
-    work->t105 = t102 ? t104 : OSCILLATOR_HANDOVER_CONVERGING;
+    const int t99 = 90U < work->t92;
+    const int t100 = 230U < work->t97;
+    const oscillator_handover_status t104 = t100 ? OSCILLATOR_HANDOVER_CONVERGED : OSCILLATOR_HANDOVER_COASTING;
+    work->t105 = t99 ? t104 : OSCILLATOR_HANDOVER_CONVERGING;
 }
 
 void oscillator_handover_init(oscillator_handover_state *state)

@@ -214,10 +214,10 @@ void oscillator_kalman_step(oscillator_kalman_state *state, const oscillator_kal
     state->clean = t68;
 
     /* the estimate */
-    const int t73 = 100U < t63;
-    const int t74 = 230U < t68;
-    const oscillator_kalman_status t75 = t74 ? OSCILLATOR_KALMAN_CONVERGED : OSCILLATOR_KALMAN_COASTING;
-    const oscillator_kalman_status t76 = t73 ? t75 : OSCILLATOR_KALMAN_CONVERGING;
+    const int t70 = 100U < t63;
+    const int t71 = 230U < t68;
+    const oscillator_kalman_status t75 = t71 ? OSCILLATOR_KALMAN_CONVERGED : OSCILLATOR_KALMAN_COASTING;
+    const oscillator_kalman_status t76 = t70 ? t75 : OSCILLATOR_KALMAN_CONVERGING;
 
     estimate->position = t55;
     estimate->speed = t56;

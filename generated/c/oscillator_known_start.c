@@ -129,10 +129,10 @@ static void oscillator_known_start_part_1(oscillator_known_start_state *state, c
 static void oscillator_known_start_part_2(oscillator_known_start_work *work)
 {
     /* the estimate */
-    const int t100 = 90U < work->t88;
-    const int t101 = 39U < work->t93;
-    const oscillator_known_start_status t102 = t101 ? OSCILLATOR_KNOWN_START_CONVERGED : OSCILLATOR_KNOWN_START_COASTING;
-    work->t103 = t100 ? t102 : OSCILLATOR_KNOWN_START_CONVERGING;
+    const int t97 = 90U < work->t88;
+    const int t98 = 39U < work->t93;
+    const oscillator_known_start_status t102 = t98 ? OSCILLATOR_KNOWN_START_CONVERGED : OSCILLATOR_KNOWN_START_COASTING;
+    work->t103 = t97 ? t102 : OSCILLATOR_KNOWN_START_CONVERGING;
 }
 
 void oscillator_known_start_init(oscillator_known_start_state *state)

@@ -439,10 +439,10 @@ static void pendulum_prescribed_part_1(pendulum_prescribed_state *state, const p
     state->clean = t88;
 
     /* the estimate */
-    const int t93 = 50U < t83;
-    const int t94 = 28U < t88;
-    const pendulum_prescribed_status t95 = t94 ? PENDULUM_PRESCRIBED_CONVERGED : PENDULUM_PRESCRIBED_COASTING;
-    work->t96 = t93 ? t95 : PENDULUM_PRESCRIBED_CONVERGING;
+    const int t90 = 50U < t83;
+    const int t91 = 28U < t88;
+    const pendulum_prescribed_status t95 = t91 ? PENDULUM_PRESCRIBED_CONVERGED : PENDULUM_PRESCRIBED_COASTING;
+    work->t96 = t90 ? t95 : PENDULUM_PRESCRIBED_CONVERGING;
 }
 
 void pendulum_prescribed_init(pendulum_prescribed_state *state)

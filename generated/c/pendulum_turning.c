@@ -497,7 +497,7 @@ typedef struct {
     float t210;
     float t211;
     pendulum_turning_status t218;
-    int flags[5]; /* t4, t22, t59, t61, t81 */
+    int flags[5]; /* t4, t22, t60, t61, t81 */
 } pendulum_turning_work;
 
 /* Part 1 of a step. */
@@ -556,9 +556,9 @@ static void pendulum_turning_part_1(pendulum_turning_state *state, const pendulu
     const uint32_t t57 = t54 ? t55 : t56;
     state->rejected_y = t57;
     const int t58 = !t54;
+    const int t59 = !t53;
     work->flags[2] = t6 && t58;
-    const int t60 = !t53;
-    work->flags[3] = t49 && t60;
+    work->flags[3] = t49 && t59;
     const int t62 = work->flags[0] && t44;
     const float t63 = t62 ? t37 : t30;
     const float t64 = work->flags[2] ? t20 : t63;

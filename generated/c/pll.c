@@ -77,10 +77,10 @@ void pll_step(pll_state *state, const pll_measurements *measurements,
     state->clean = t37;
 
     /* the estimate */
-    const int t43 = 157U < t32;
-    const int t44 = 189U < t37;
-    const pll_status t45 = t44 ? PLL_CONVERGED : PLL_COASTING;
-    const pll_status t46 = t43 ? t45 : PLL_CONVERGING;
+    const int t40 = 157U < t32;
+    const int t41 = 189U < t37;
+    const pll_status t45 = t41 ? PLL_CONVERGED : PLL_COASTING;
+    const pll_status t46 = t40 ? t45 : PLL_CONVERGING;
 
     estimate->angle = t26;
     estimate->dangle = t27;

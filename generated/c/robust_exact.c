@@ -170,10 +170,10 @@ static void robust_exact_part_2(robust_exact_state *state, robust_exact_work *wo
     const float t103 = 100.0f * t86;
     work->t104 = t101 + t103;
     work->t106 = 40000.0f * t86;
-    const int t111 = 3U < t93;
-    const int t112 = 3U < t99;
-    const robust_exact_status t113 = t112 ? ROBUST_EXACT_CONVERGED : ROBUST_EXACT_COASTING;
-    work->t114 = t111 ? t113 : ROBUST_EXACT_CONVERGING;
+    const int t108 = 3U < t93;
+    const int t109 = 3U < t99;
+    const robust_exact_status t113 = t109 ? ROBUST_EXACT_CONVERGED : ROBUST_EXACT_COASTING;
+    work->t114 = t108 ? t113 : ROBUST_EXACT_CONVERGING;
 }
 
 void robust_exact_init(robust_exact_state *state)

@@ -139,10 +139,10 @@ static void shaft_wrapped_part_2(shaft_wrapped_state *state, shaft_wrapped_work 
     const float t96 = 500.0f * t80;
     work->t97 = t94 + t96;
     work->t99 = 1000000.0f * t80;
-    const int t104 = 80U < t87;
-    const int t105 = 52U < t92;
-    const shaft_wrapped_status t106 = t105 ? SHAFT_WRAPPED_CONVERGED : SHAFT_WRAPPED_COASTING;
-    work->t107 = t104 ? t106 : SHAFT_WRAPPED_CONVERGING;
+    const int t101 = 80U < t87;
+    const int t102 = 52U < t92;
+    const shaft_wrapped_status t106 = t102 ? SHAFT_WRAPPED_CONVERGED : SHAFT_WRAPPED_COASTING;
+    work->t107 = t101 ? t106 : SHAFT_WRAPPED_CONVERGING;
 }
 
 void shaft_wrapped_init(shaft_wrapped_state *state)

@@ -177,10 +177,10 @@ static void two_mass_kalman_part_2(two_mass_kalman_state *state, two_mass_kalman
     state->clean = t150;
 
     /* the estimate */
-    const int t156 = 113U < t145;
-    const int t157 = 124U < t150;
-    const two_mass_kalman_status t158 = t157 ? TWO_MASS_KALMAN_CONVERGED : TWO_MASS_KALMAN_COASTING;
-    work->t159 = t156 ? t158 : TWO_MASS_KALMAN_CONVERGING;
+    const int t153 = 113U < t145;
+    const int t154 = 124U < t150;
+    const two_mass_kalman_status t158 = t154 ? TWO_MASS_KALMAN_CONVERGED : TWO_MASS_KALMAN_COASTING;
+    work->t159 = t153 ? t158 : TWO_MASS_KALMAN_CONVERGING;
 }
 
 void two_mass_kalman_init(two_mass_kalman_state *state)

@@ -136,10 +136,10 @@ impl Observer {
         self.clean = t41;
 
         // the estimate
-        let t47 = 318 < t36;
-        let t48 = 378 < t41;
-        let t49 = if t48 { Status::Converged } else { Status::Coasting };
-        let t50 = if t47 { t49 } else { Status::Converging };
+        let t44 = 318 < t36;
+        let t45 = 378 < t41;
+        let t49 = if t45 { Status::Converged } else { Status::Coasting };
+        let t50 = if t44 { t49 } else { Status::Converging };
         Estimate {
             altitude: t30,
             daltitude: t31,

@@ -149,10 +149,10 @@ impl Observer {
         self.clean = t50;
 
         // the estimate
-        let t56 = 196 < t45;
-        let t57 = 216 < t50;
-        let t58 = if t57 { Status::Converged } else { Status::Coasting };
-        let t59 = if t56 { t58 } else { Status::Converging };
+        let t53 = 196 < t45;
+        let t54 = 216 < t50;
+        let t58 = if t54 { Status::Converged } else { Status::Coasting };
+        let t59 = if t53 { t58 } else { Status::Converging };
         Estimate {
             x: t38,
             dx: t39,

@@ -277,10 +277,10 @@ impl Observer {
         self.clean = t86;
 
         // the estimate
-        let t92 = 693 < t81;
-        let t93 = 880 < t86;
-        let t94 = if t93 { Status::Converged } else { Status::Coasting };
-        work.t95 = if t92 { t94 } else { Status::Converging };
+        let t89 = 693 < t81;
+        let t90 = 880 < t86;
+        let t94 = if t90 { Status::Converged } else { Status::Coasting };
+        work.t95 = if t89 { t94 } else { Status::Converging };
     }
 }
 

@@ -248,10 +248,10 @@ impl Observer {
         let t87 = 10000.0 * work.t65;
         work.t88 = t86 + t87;
         work.t90 = 1_000_000.0 * work.t65;
-        let t95 = 249 < work.t71;
-        let t96 = 190 < work.t76;
-        let t97 = if t96 { Status::Converged } else { Status::Coasting };
-        work.t98 = if t95 { t97 } else { Status::Converging };
+        let t92 = 249 < work.t71;
+        let t93 = 190 < work.t76;
+        let t97 = if t93 { Status::Converged } else { Status::Coasting };
+        work.t98 = if t92 { t97 } else { Status::Converging };
     }
 }
 

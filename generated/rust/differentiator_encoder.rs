@@ -181,10 +181,10 @@ impl Observer {
         let t71 = 500.0 * t55;
         let t72 = t69 + t71;
         let t74 = 1_000_000.0 * t55;
-        let t79 = 180 < t62;
-        let t80 = 69 < t67;
-        let t81 = if t80 { Status::Converged } else { Status::Coasting };
-        let t82 = if t79 { t81 } else { Status::Converging };
+        let t76 = 180 < t62;
+        let t77 = 69 < t67;
+        let t81 = if t77 { Status::Converged } else { Status::Coasting };
+        let t82 = if t76 { t81 } else { Status::Converging };
         Estimate {
             angle: t53,
             dangle: t72,

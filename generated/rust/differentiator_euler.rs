@@ -227,10 +227,10 @@ impl Observer {
         // the estimate
         work.t86 = 2.0 * work.t71;
         work.t88 = 4.0 * work.t72;
-        let t93 = 105 < work.t79;
-        let t94 = 86 < work.t84;
-        let t95 = if t94 { Status::Converged } else { Status::Coasting };
-        work.t96 = if t93 { t95 } else { Status::Converging };
+        let t90 = 105 < work.t79;
+        let t91 = 86 < work.t84;
+        let t95 = if t91 { Status::Converged } else { Status::Coasting };
+        work.t96 = if t90 { t95 } else { Status::Converging };
     }
 }
 const _: f32 = SAMPLE_TIME;

@@ -344,10 +344,10 @@ impl Observer {
         self.clean = t192;
 
         // the estimate
-        let t197 = 160 < t187;
-        let t198 = 237 < t192;
-        let t199 = if t198 { Status::Converged } else { Status::Coasting };
-        work.t200 = if t197 { t199 } else { Status::Converging };
+        let t194 = 160 < t187;
+        let t195 = 237 < t192;
+        let t199 = if t195 { Status::Converged } else { Status::Coasting };
+        work.t200 = if t194 { t199 } else { Status::Converging };
     }
 }
 

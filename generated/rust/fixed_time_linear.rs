@@ -183,10 +183,10 @@ impl Observer {
         self.clean = t76;
 
         // the estimate
-        let t81 = 2 < t71;
-        let t82 = 2 < t76;
-        let t83 = if t82 { Status::Converged } else { Status::Coasting };
-        let t84 = if t81 { t83 } else { Status::Converging };
+        let t78 = 2 < t71;
+        let t79 = 2 < t76;
+        let t83 = if t79 { Status::Converged } else { Status::Coasting };
+        let t84 = if t78 { t83 } else { Status::Converging };
         Estimate {
             x: t64,
             v: t65,

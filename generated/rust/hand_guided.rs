@@ -302,17 +302,17 @@ impl Observer {
         let t24 = if t21 { t22 } else { t23 };
         self.rejected_y = t24;
         let t25 = !t21;
-        let t26 = t6 && t25;
-        let t27 = !t20;
-        let t28 = t16 && t27;
+        let t26 = !t20;
+        let t27 = t6 && t25;
+        let t28 = t16 && t26;
         let t29 = t4 && t11;
         let t30 = if t29 { t8 } else { t9 };
-        let t31 = if t26 { t5 } else { t30 };
-        let t32 = t26 || t29;
+        let t31 = if t27 { t5 } else { t30 };
+        let t32 = t27 || t29;
         let t33 = !t32;
         let t34 = self.since;
         let t35 = if t34 < 4_294_967_295 { t34 + 1 } else { 4_294_967_295 };
-        work.t36 = if t26 { 0 } else { t35 };
+        work.t36 = if t27 { 0 } else { t35 };
         self.since = work.t36;
 
         // how much of the window is good
@@ -321,12 +321,12 @@ impl Observer {
         let t40 = if t2 < 132 { t2 + 1 } else { 132 };
         let t41 = if t33 { 0 } else { t40 };
         let t42 = if t37 { t40 } else { 1 };
-        let t43 = if t26 { t42 } else { 0 };
+        let t43 = if t27 { t42 } else { 0 };
         let t44 = if t38 { t41 } else { t43 };
         self.count = t44;
         let t45 = self.coasting;
         let t46 = t45.saturating_sub(1);
-        let t48 = if t26 { t46 } else { 132 };
+        let t48 = if t27 { t46 } else { 132 };
         self.coasting = t48;
 
         // into the window

@@ -185,10 +185,10 @@ impl Observer {
         self.clean = t74;
 
         // the estimate
-        let t80 = 847 < t69;
-        let t81 = 1005 < t74;
-        let t82 = if t81 { Status::Converged } else { Status::Coasting };
-        let t83 = if t80 { t82 } else { Status::Converging };
+        let t77 = 847 < t69;
+        let t78 = 1005 < t74;
+        let t82 = if t78 { Status::Converged } else { Status::Coasting };
+        let t83 = if t77 { t82 } else { Status::Converging };
         Estimate {
             sway: t63,
             rate: t64,

@@ -93,7 +93,7 @@ pub struct Observer {
     last_known1: f32,
     /// the last good value
     last_i: f32,
-    /// samples of angle rejected in a row, below 89
+    /// samples of angle rejected in a row
     rejected_angle: usize,
     /// calls since the newest accepted sample
     coasted: usize,
@@ -110,7 +110,7 @@ struct Work {
     t113: f32,
     t127: usize,
     t135: Status,
-    /// t62, t66, t79
+    /// t68, t69, t79
     flags: [bool; 3],
 }
 
@@ -208,23 +208,23 @@ impl Observer {
         let t053 = t047 - t052;
         let t054 = (-0.3..=0.3).contains(&t053);
         let t055 = !t054;
-        let t056 = t055 && t046;
-        let t057 = t056 && t001;
+        let t056 = t046 && t055;
+        let t057 = t001 && t056;
         let t058 = self.rejected_angle;
-        let t059 = if t058 < 89 { t058 + 1 } else { 89 };
-        let t061 = 88 < t059;
-        work.flags[0] = t057 && t061;
-        let t063 = !t061;
-        let t064 = t057 && t063;
-        let t065 = !t064;
-        work.flags[1] = t001 && t065;
-        let t068 = if t001 { 0 } else { t058 };
-        let t069 = if t064 { t059 } else { t068 };
-        self.rejected_angle = t069;
+        let t061 = t058 < 88;
+        let t062 = t057 && t061;
+        let t063 = if t058 < 89 { t058 + 1 } else { 89 };
+        let t064 = if t001 { 0 } else { t058 };
+        let t065 = if t062 { t063 } else { t064 };
+        self.rejected_angle = t065;
+        let t066 = !t062;
+        let t067 = !t061;
+        work.flags[0] = t001 && t066;
+        work.flags[1] = t057 && t067;
         let t070 = (-6.283_185_5..=6.283_185_5).contains(&t042);
         let t071 = self.last_angle;
         let t072 = if t070 { t042 } else { t071 };
-        work.t073 = if work.flags[1] { t015 } else { t072 };
+        work.t073 = if work.flags[0] { t015 } else { t072 };
         let t074 = ::deadbeat::math::sin_f32(work.t073);
         let t075 = -8.161_565e-5 * t074;
         work.t076 = t031 + t075;
@@ -232,7 +232,7 @@ impl Observer {
         work.t078 = t039 + t077;
         self.last_known1 = t074;
         self.last_angle = work.t073;
-        work.flags[2] = t017 && work.flags[1];
+        work.flags[2] = t017 && work.flags[0];
     }
 
     /// Part 2 of a step.
@@ -241,14 +241,14 @@ impl Observer {
         let t080 = work.t076 - work.t020;
         let t081 = (-::core::f32::consts::PI..=::core::f32::consts::PI).contains(&t080);
         let t082 = !t081;
-        let t083 = t082 || work.flags[0];
+        let t083 = t082 || work.flags[1];
         let t085 = work.t073 - work.t076;
         let t086 = t085 * 0.159_154_94;
         let t087 = t086 + 1.258_291_2e7;
         let t088 = t087 - 1.258_291_2e7;
         let t089 = t088 * 6.283_185_5;
         let t090 = t085 - t089;
-        let t091 = if work.flags[1] { t090 } else { 0.0 };
+        let t091 = if work.flags[0] { t090 } else { 0.0 };
         let t093 = 0.269_049_23 * t091;
         let t095 = 8.415_041 * t091;
         let t096 = work.t076 + t093;
@@ -268,14 +268,14 @@ impl Observer {
         let t108 = (-1e36..=1e36).contains(&t097);
         let t109 = !t108;
         let t110 = t107 || t109;
-        let t111 = if work.flags[1] { work.t073 } else { 0.0 };
+        let t111 = if work.flags[0] { work.t073 } else { 0.0 };
         work.t112 = if t110 { t111 } else { t102 };
         self.q = work.t112;
         work.t113 = if t110 { 0.0 } else { t097 };
         self.dq = work.t113;
-        let t115 = usize::from(work.flags[1]);
+        let t115 = usize::from(work.flags[0]);
         let t116 = if work.t045 < 90 { work.t045 + 1 } else { 90 };
-        let t117 = if work.flags[1] { t116 } else { work.t045 };
+        let t117 = if work.flags[0] { t116 } else { work.t045 };
         let t118 = if t110 { t115 } else { t117 };
         self.good = t118;
         let t119 = self.clean;
@@ -285,15 +285,15 @@ impl Observer {
         self.clean = t123;
         let t124 = self.coasted;
         let t125 = if t124 < 4_294_967_295 { t124 + 1 } else { 4_294_967_295 };
-        let t126 = if work.flags[1] { 0 } else { t125 };
+        let t126 = if work.flags[0] { 0 } else { t125 };
         self.coasted = t126;
 
         // the estimate
         work.t127 = self.coasted;
-        let t132 = 89 < t118;
-        let t133 = 98 < t123;
-        let t134 = if t133 { Status::Converged } else { Status::Coasting };
-        work.t135 = if t132 { t134 } else { Status::Converging };
+        let t129 = 89 < t118;
+        let t130 = 98 < t123;
+        let t134 = if t130 { Status::Converged } else { Status::Coasting };
+        work.t135 = if t129 { t134 } else { Status::Converging };
     }
 }
 const _: f32 = SAMPLE_TIME;

@@ -163,10 +163,10 @@ impl Observer {
         self.clean = t59;
 
         // the estimate
-        let t65 = 397 < t54;
-        let t66 = 439 < t59;
-        let t67 = if t66 { Status::Converged } else { Status::Coasting };
-        let t68 = if t65 { t67 } else { Status::Converging };
+        let t62 = 397 < t54;
+        let t63 = 439 < t59;
+        let t67 = if t63 { Status::Converged } else { Status::Coasting };
+        let t68 = if t62 { t67 } else { Status::Converging };
         Estimate {
             theta: t48,
             omega: t49,

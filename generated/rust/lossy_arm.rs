@@ -290,14 +290,14 @@ impl Observer {
         let t065 = if t062 { t063 } else { t064 };
         self.rejected_y = t065;
         let t066 = !t062;
-        let t067 = work.flags[0] && t066;
-        let t068 = !t061;
-        let t069 = t057 && t068;
+        let t067 = !t061;
+        let t068 = work.flags[0] && t066;
+        let t069 = t057 && t067;
         let t071 = self.y[work.t001.min(25)];
         let t072 = work.flags[2] && t042;
         let t073 = if t072 { t041 } else { t071 };
-        let t074 = if t067 { work.t017 } else { t073 };
-        work.t075 = if t067 { 1.0 } else { 0.0 };
+        let t074 = if t068 { work.t017 } else { t073 };
+        work.t075 = if t068 { 1.0 } else { 0.0 };
         work.t076 = ::deadbeat::math::sin_f32(t074);
         let t077 = -2.332_167e-5 * work.t076;
         let t078 = t026 + t077;
@@ -313,14 +313,14 @@ impl Observer {
         let t088 = (-6.283_185_5..=6.283_185_5).contains(&t087);
         let t089 = work.flags[2] && t088;
         let t090 = if t089 { t087 } else { t074 };
-        work.t091 = if t067 { work.t017 } else { t090 };
-        let t092 = !t067;
+        work.t091 = if t068 { work.t017 } else { t090 };
+        let t092 = !t068;
         let t093 = !t088;
         let t094 = work.flags[2] && t093;
         let t095 = t092 && t094;
         let t096 = self.since;
         let t097 = if t096 < 4_294_967_295 { t096 + 1 } else { 4_294_967_295 };
-        work.t098 = if t067 { 0 } else { t097 };
+        work.t098 = if t068 { 0 } else { t097 };
         self.since = work.t098;
 
         // how much of the window is good
@@ -336,7 +336,7 @@ impl Observer {
         let t108 = self.coasting;
         let t109 = t108.saturating_sub(1);
         let t110 = if work.flags[1] { t109 } else { 25 };
-        let t112 = if t067 { t110 } else { 26 };
+        let t112 = if t068 { t110 } else { 26 };
         self.coasting = t112;
     }
 

@@ -257,10 +257,10 @@ impl Observer {
         self.clean = t098;
 
         // the estimate
-        let t104 = 415 < t093;
-        let t105 = 425 < t098;
-        let t106 = if t105 { Status::Converged } else { Status::Coasting };
-        work.t107 = if t104 { t106 } else { Status::Converging };
+        let t101 = 415 < t093;
+        let t102 = 425 < t098;
+        let t106 = if t102 { Status::Converged } else { Status::Coasting };
+        work.t107 = if t101 { t106 } else { Status::Converging };
     }
 }
 const _: f32 = SAMPLE_TIME;

@@ -612,9 +612,9 @@ impl Observer {
         work.t187 = if t176 { work.t089 } else { t186 };
         let t188 = self.coasting;
         let t189 = t188 == 0;
-        let t193 = if t189 { Status::Converged } else { Status::Coasting };
-        let t194 = t174 || t177;
-        work.t195 = if t194 { t193 } else { Status::Converging };
+        let t190 = t174 || t177;
+        let t194 = if t189 { Status::Converged } else { Status::Coasting };
+        work.t195 = if t190 { t194 } else { Status::Converging };
     }
 }
 const _: f32 = SAMPLE_TIME;

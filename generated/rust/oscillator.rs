@@ -219,10 +219,10 @@ impl Observer {
         self.clean = t90;
 
         // the estimate
-        let t95 = 90 < t85;
-        let t96 = 39 < t90;
-        let t97 = if t96 { Status::Converged } else { Status::Coasting };
-        work.t98 = if t95 { t97 } else { Status::Converging };
+        let t92 = 90 < t85;
+        let t93 = 39 < t90;
+        let t97 = if t93 { Status::Converged } else { Status::Coasting };
+        work.t98 = if t92 { t97 } else { Status::Converging };
     }
 }
 const _: f32 = SAMPLE_TIME;

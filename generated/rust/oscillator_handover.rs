@@ -232,10 +232,10 @@ impl Observer {
     /// Part 2 of a step.
     fn part_2(work: &mut Work) {
         // the estimate
-        let t102 = 90 < work.t092;
-        let t103 = 230 < work.t097;
-        let t104 = if t103 { Status::Converged } else { Status::Coasting };
-        work.t105 = if t102 { t104 } else { Status::Converging };
+        let t099 = 90 < work.t092;
+        let t100 = 230 < work.t097;
+        let t104 = if t100 { Status::Converged } else { Status::Coasting };
+        work.t105 = if t099 { t104 } else { Status::Converging };
     }
 }
 const _: f32 = SAMPLE_TIME;

@@ -283,10 +283,10 @@ impl Observer {
         self.clean = t68;
 
         // the estimate
-        let t73 = 100 < t63;
-        let t74 = 230 < t68;
-        let t75 = if t74 { Status::Converged } else { Status::Coasting };
-        let t76 = if t73 { t75 } else { Status::Converging };
+        let t70 = 100 < t63;
+        let t71 = 230 < t68;
+        let t75 = if t71 { Status::Converged } else { Status::Coasting };
+        let t76 = if t70 { t75 } else { Status::Converging };
         Estimate {
             position: t55,
             speed: t56,

@@ -270,10 +270,10 @@ impl Observer {
     /// Part 2 of a step.
     fn part_2(work: &mut Work) {
         // the estimate
-        let t100 = 90 < work.t088;
-        let t101 = 39 < work.t093;
-        let t102 = if t101 { Status::Converged } else { Status::Coasting };
-        work.t103 = if t100 { t102 } else { Status::Converging };
+        let t097 = 90 < work.t088;
+        let t098 = 39 < work.t093;
+        let t102 = if t098 { Status::Converged } else { Status::Coasting };
+        work.t103 = if t097 { t102 } else { Status::Converging };
     }
 }
 const _: f32 = SAMPLE_TIME;

@@ -212,10 +212,10 @@ impl Observer {
         self.clean = t88;
 
         // the estimate
-        let t93 = 50 < t83;
-        let t94 = 28 < t88;
-        let t95 = if t94 { Status::Converged } else { Status::Coasting };
-        work.t96 = if t93 { t95 } else { Status::Converging };
+        let t90 = 50 < t83;
+        let t91 = 28 < t88;
+        let t95 = if t91 { Status::Converged } else { Status::Coasting };
+        work.t96 = if t90 { t95 } else { Status::Converging };
     }
 }
 const _: f32 = SAMPLE_TIME;

@@ -253,7 +253,7 @@ struct Work {
     t210: f32,
     t211: f32,
     t218: Status,
-    /// t4, t22, t59, t61, t81
+    /// t4, t22, t60, t61, t81
     flags: [bool; 5],
 }
 
@@ -374,9 +374,9 @@ impl Observer {
         let t057 = if t054 { t055 } else { t056 };
         self.rejected_y = t057;
         let t058 = !t054;
+        let t059 = !t053;
         work.flags[2] = t006 && t058;
-        let t060 = !t053;
-        work.flags[3] = t049 && t060;
+        work.flags[3] = t049 && t059;
         let t062 = work.flags[0] && t044;
         let t063 = if t062 { t037 } else { t030 };
         let t064 = if work.flags[2] { t020 } else { t063 };

@@ -133,10 +133,10 @@ impl Observer {
         self.clean = t37;
 
         // the estimate
-        let t43 = 157 < t32;
-        let t44 = 189 < t37;
-        let t45 = if t44 { Status::Converged } else { Status::Coasting };
-        let t46 = if t43 { t45 } else { Status::Converging };
+        let t40 = 157 < t32;
+        let t41 = 189 < t37;
+        let t45 = if t41 { Status::Converged } else { Status::Coasting };
+        let t46 = if t40 { t45 } else { Status::Converging };
         Estimate {
             angle: t26,
             dangle: t27,

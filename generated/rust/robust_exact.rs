@@ -268,10 +268,10 @@ impl Observer {
         let t103 = 100.0 * t086;
         work.t104 = t101 + t103;
         work.t106 = 40000.0 * t086;
-        let t111 = 3 < t093;
-        let t112 = 3 < t099;
-        let t113 = if t112 { Status::Converged } else { Status::Coasting };
-        work.t114 = if t111 { t113 } else { Status::Converging };
+        let t108 = 3 < t093;
+        let t109 = 3 < t099;
+        let t113 = if t109 { Status::Converged } else { Status::Coasting };
+        work.t114 = if t108 { t113 } else { Status::Converging };
     }
 }
 const _: f32 = SAMPLE_TIME;

@@ -246,10 +246,10 @@ impl Observer {
         let t096 = 500.0 * t080;
         work.t097 = t094 + t096;
         work.t099 = 1_000_000.0 * t080;
-        let t104 = 80 < t087;
-        let t105 = 52 < t092;
-        let t106 = if t105 { Status::Converged } else { Status::Coasting };
-        work.t107 = if t104 { t106 } else { Status::Converging };
+        let t101 = 80 < t087;
+        let t102 = 52 < t092;
+        let t106 = if t102 { Status::Converged } else { Status::Coasting };
+        work.t107 = if t101 { t106 } else { Status::Converging };
     }
 }
 const _: f32 = SAMPLE_TIME;

@@ -306,10 +306,10 @@ impl Observer {
         self.clean = t150;
 
         // the estimate
-        let t156 = 113 < t145;
-        let t157 = 124 < t150;
-        let t158 = if t157 { Status::Converged } else { Status::Coasting };
-        work.t159 = if t156 { t158 } else { Status::Converging };
+        let t153 = 113 < t145;
+        let t154 = 124 < t150;
+        let t158 = if t154 { Status::Converged } else { Status::Coasting };
+        work.t159 = if t153 { t158 } else { Status::Converging };
     }
 }
 

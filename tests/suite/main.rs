@@ -70,6 +70,7 @@ mod files {
 
 /// How people meet it: the command line, build scripts, macros, messages.
 mod tool {
+    mod builder;
     mod cli;
     mod compare;
     mod diagnostics;

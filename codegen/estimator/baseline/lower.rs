@@ -9,13 +9,13 @@ mod low_pass;
 use crate::diagnostic::Diagnostic;
 use crate::plant::Plant;
 use crate::program::builder::Builder;
-use crate::program::{Program, Status, Value};
+use crate::program::{Program, Value};
 use crate::sampled::settled::{Settled, round};
 use crate::step::ahead::Ahead;
 use crate::step::guard::Guard;
 use crate::step::injections::Injections;
-use crate::step::report::field;
-use crate::step::{front, injections};
+use crate::step::report::Moved;
+use crate::step::{coasting, front, injections, report};
 
 use super::{Baseline, Law};
 
@@ -63,42 +63,20 @@ impl Lowering<'_> {
         front::folded(&mut self.builder, &self.plant.outputs[0], value, self.plant.scalar)
     }
 
-    /// The signal and its rate, and what they are worth; `good` says whether there was a sample.
-    fn report(&mut self, estimate: [Value; 2], status: Value, good: Value) {
-        let mut estimate = estimate.to_vec();
-        if let Some(ahead) = self.ahead {
+    /// The signal and its rate, whether they are known, and whether by the newest sample; `good` says whether there was
+    /// one.
+    fn report(&mut self, estimate: [Value; 2], (known, renewed): (Value, Value), good: Value) {
+        let moved = self.ahead.map(|ahead| {
             let calls = self.builder.index_cell("calls", "calls since init", 0);
-            let injections = Injections::new(self.plant, calls, Vec::new());
-            estimate = ahead.moved(&mut self.builder, self.plant, &estimate, &injections, &[]);
-        }
-        for (state, value) in self.plant.states.iter().zip(estimate) {
-            self.builder.estimate(field(&state.label.name, &state.label.unit, &state.label.doc), value);
-        }
+            Moved { ahead, injections: Injections::new(self.plant, calls, Vec::new()), outputs: &[] }
+        });
+        report::estimates(&mut self.builder, self.plant, estimate.to_vec(), moved, "");
         if self.plant.coasted {
-            self.coasted(good);
+            let cell = self.builder.index_cell("coasted", "calls since the newest accepted sample", 0);
+            let coasted = coasting::count(&mut self.builder, cell, &[good]);
+            report::coasted(&mut self.builder, coasted);
         }
-        self.builder.report(status);
-    }
-
-    /// The calls since the newest good sample, as an answer.
-    fn coasted(&mut self, good: Value) {
-        let b = &mut self.builder;
-        let doc = "calls since the newest accepted sample";
-        let cell = b.index_cell("coasted", doc, 0);
-        let none = b.index(0);
-        let before = b.read(cell);
-        let more = b.count_up(before, u32::MAX);
-        let coasted = b.select(good, none, more);
-        b.set(cell, coasted);
-        b.estimate(field("coasted", "", doc), coasted);
-    }
-
-    /// Converging until it is known; then coasting, unless it is renewed.
-    fn status(&mut self, known: Value, renewed: Value) -> Value {
-        let [converged, coasting, converging] =
-            [Status::Converged, Status::Coasting, Status::Converging].map(|status| self.builder.status(status));
-        let working = self.builder.select(renewed, converged, coasting);
-        self.builder.select(known, working, converging)
+        report::status(&mut self.builder, known, renewed);
     }
 }
 

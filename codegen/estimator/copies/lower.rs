@@ -25,12 +25,12 @@ mod sample;
 use crate::diagnostic::Diagnostic;
 use crate::plant::Plant;
 use crate::program::builder::Builder;
-use crate::program::{Program, Status, Value};
+use crate::program::{Program, Value};
 use crate::sampled::settled::{Settled, round};
 use crate::step::ahead::Ahead;
 use crate::step::injections;
 use crate::step::injections::Injections;
-use crate::step::report::{field, start};
+use crate::step::report::{self, Moved, field, start};
 
 use super::guard::Bounds;
 use super::{Grid, Impulsive, Update};
@@ -208,21 +208,14 @@ impl Lowering<'_> {
             let start = start(&mut self.builder, self.plant, i, &sampled.outputs);
             answer.push(self.builder.select(counted.known, *estimate, start));
         }
-        if let Some(ahead) = self.ahead {
+        let moved = self.ahead.map(|ahead| {
             let injections = Injections::new(self.plant, self.cells.calls, sampled.inputs.clone());
-            answer = ahead.moved(&mut self.builder, self.plant, &answer, &injections, &sampled.outputs);
-        }
-        for (state, value) in self.plant.states.iter().zip(answer) {
-            self.builder.estimate(field(&state.label.name, &state.label.unit, &state.label.doc), value);
-        }
+            Moved { ahead, injections, outputs: &sampled.outputs }
+        });
+        report::estimates(&mut self.builder, self.plant, answer, moved, "");
         if let Some(coasted) = sampled.coasted {
-            let doc = "calls since the newest accepted sample";
-            self.builder.estimate(field("coasted", "", doc), coasted);
+            report::coasted(&mut self.builder, coasted);
         }
-        let [converged, coasting, converging] =
-            [Status::Converged, Status::Coasting, Status::Converging].map(|status| self.builder.status(status));
-        let working = self.builder.select(counted.clean, converged, coasting);
-        let status = self.builder.select(counted.converged, working, converging);
-        self.builder.report(status);
+        report::status(&mut self.builder, counted.converged, counted.clean);
     }
 }

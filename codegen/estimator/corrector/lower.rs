@@ -11,28 +11,27 @@
 //! what the first convergence left. A prediction outside the output's range starts the observer again, and so does a
 //! state beyond the floats' guard.
 //!
-//! **Turns, gates, rates.** See `turn`, `gate` and `rates`.
+//! **Turns, gates.** See `turn` and `gate`.
 //!
 //! **Sliding.** Under the sliding law an innovation that is not explained
 //! makes both counts begin again, and one wider than the output's range starts the observer again.
 
 mod gain;
-mod gate;
+mod gates;
 mod given;
 mod known;
-mod rates;
 mod turn;
 
 use crate::diagnostic::Diagnostic;
 use crate::plant::Plant;
 use crate::program::builder::Builder;
-use crate::program::{CellId, Program, Status, Value};
+use crate::program::{CellId, Program, Value};
 use crate::sampled::settled::{Settled, round};
 use crate::step::ahead::Ahead;
 use crate::step::guard::Guard;
 use crate::step::injections::Injections;
-use crate::step::report::{field, start};
-use crate::step::{front, injections};
+use crate::step::report::{self, Moved, field, start};
+use crate::step::{coasting, front, gate, injections, inputs, rates};
 
 use super::{Corrector, Frame, Gain, guard};
 
@@ -114,12 +113,9 @@ impl Cells {
             b.float_cell(&format!("last_known{s}"), &format!("{} of the last call", design.signals[s].text), 0.0)
         });
         let signals = signals.collect();
-        let inputs = plant.inputs.iter();
-        let inputs = inputs
-            .map(|input| b.float_cell(&format!("last_{}", input.label.name), "the last good value", 0.0))
-            .collect();
+        let inputs = inputs::cells(b, plant);
         let calls = b.index_cell("calls", "calls since init", 0);
-        let rejected = gate::cells(b, plant, design);
+        let rejected = gate::cells(b, plant);
         let coasted = b.index_cell("coasted", "calls since the newest accepted sample", 0);
         let phase = b.index_cell("phase", "calls since every output was due", 0);
         let due = rates::cells(b, plant);
@@ -229,6 +225,11 @@ impl Lowering<'_> {
         (each.collect(), lost)
     }
 
+    /// Whether a call counts: with one output, each that has its sample; with several, each that has those that are due.
+    fn counts(&self, predicted: &Predicted) -> Value {
+        if self.plant.outputs.len() == 1 { predicted.complete } else { predicted.measured }
+    }
+
     /// C z, per output.
     fn shown(&mut self, state: &[Value]) -> Vec<Value> {
         let design = self.design;
@@ -334,7 +335,7 @@ impl Lowering<'_> {
         let calls = self.builder.read(self.cells.calls);
         let calls = self.builder.count_up(calls, u32::MAX);
         self.builder.set(self.cells.calls, calls);
-        self.count_coasted(predicted);
+        coasting::count(&mut self.builder, self.cells.coasted, &predicted.good);
         self.has_begun(predicted, again);
         [good, clean]
     }
@@ -363,28 +364,21 @@ impl Lowering<'_> {
     fn report(&mut self, state: &[Value], predicted: &Predicted, [good, clean]: [Value; 2]) {
         self.builder.section("the estimate");
         let design = self.design;
-        let mut estimate = match &design.frame {
+        let estimate = match &design.frame {
             Frame::Plant { .. } => state.to_vec(),
             Frame::Chain { readout, .. } => self.products(readout, state),
         };
-        if let Some(ahead) = self.ahead {
+        let moved = self.ahead.map(|ahead| {
             let injections = Injections::new(self.plant, self.cells.calls, predicted.inputs.clone());
-            estimate = ahead.moved(&mut self.builder, self.plant, &estimate, &injections, &predicted.outputs);
-        }
-        for (state, value) in self.plant.states.iter().zip(estimate) {
-            self.builder.estimate(field(&state.label.name, &state.label.unit, &state.label.doc), value);
-        }
+            Moved { ahead, injections, outputs: &predicted.outputs }
+        });
+        report::estimates(&mut self.builder, self.plant, estimate, moved, "");
         if self.plant.coasted {
             let coasted = self.builder.read(self.cells.coasted);
-            let doc = "calls since the newest accepted sample";
-            self.builder.estimate(field("coasted", "", doc), coasted);
+            report::coasted(&mut self.builder, coasted);
         }
-        let [converged, coasting, converging] =
-            [Status::Converged, Status::Coasting, Status::Converging].map(|status| self.builder.status(status));
         let [enough, recovered] = [design.valid, design.recovery - 1].map(|count| self.builder.index(calls(count)));
         let (known, undisturbed) = (self.builder.index_less(enough, good), self.builder.index_less(recovered, clean));
-        let working = self.builder.select(undisturbed, converged, coasting);
-        let status = self.builder.select(known, working, converging);
-        self.builder.report(status);
+        report::status(&mut self.builder, known, undisturbed);
     }
 }

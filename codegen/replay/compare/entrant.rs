@@ -1,6 +1,6 @@
 //! A specification that takes part in a contest.
 
-use crate::Generated;
+use crate::generated::Generated;
 
 use super::super::interface::Interface;
 use super::super::mistake::SignalError;

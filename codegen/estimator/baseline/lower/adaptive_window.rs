@@ -73,8 +73,7 @@ impl Lowering<'_> {
         let period = self.constant(law.period);
         let rate = self.builder.div(slope, period);
         let rate = self.builder.sub(zero, rate);
-        let status = self.status(known, good);
-        self.report([signal, rate], status, good);
+        self.report([signal, rate], (known, good), good);
     }
 
     fn window_cells(&mut self, law: &AdaptiveWindow) -> Cells {

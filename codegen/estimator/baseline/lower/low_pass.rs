@@ -44,8 +44,8 @@ impl Lowering<'_> {
         };
         self.builder.set(cells.rate, rate);
         let last = self.builder.read(cells.last);
-        let status = self.low_pass_status(&cells, count, (good, begun));
-        self.report([last, rate], status, good);
+        let standing = self.low_pass_standing(&cells, count, (good, begun));
+        self.report([last, rate], standing, good);
     }
 
     fn low_pass_cells(&mut self) -> Cells {
@@ -93,8 +93,8 @@ impl Lowering<'_> {
         quotient
     }
 
-    /// Counts the good calls since the start, and those in a row.
-    fn low_pass_status(&mut self, cells: &Cells, count: Value, (good, begun): (Value, Value)) -> Value {
+    /// Counts the good calls since the start, and those in a row: whether there are enough of each.
+    fn low_pass_standing(&mut self, cells: &Cells, count: Value, (good, begun): (Value, Value)) -> (Value, Value) {
         let (valid, recovery) = (calls(self.design.valid), calls(self.design.recovery));
         let b = &mut self.builder;
         let more = b.count_up(count, valid + 1);
@@ -107,7 +107,6 @@ impl Lowering<'_> {
         let clean = b.select(begun, clean, all);
         b.set(cells.clean, clean);
         let (enough, recovered) = (b.index(valid), b.index(recovery - 1));
-        let (known, renewed) = (b.index_less(enough, count), b.index_less(recovered, clean));
-        self.status(known, renewed)
+        (b.index_less(enough, count), b.index_less(recovered, clean))
     }
 }

@@ -5,7 +5,8 @@ use crate::program::CellId;
 use crate::program::builder::Builder;
 use crate::sampled::settled::round;
 use crate::step::cells::{bracketed, identifier};
-use crate::step::injections;
+use crate::step::given::Running;
+use crate::step::{injections, inputs};
 
 use super::super::Impulsive;
 
@@ -36,7 +37,7 @@ pub(super) struct Cells {
     /// Calls since init.
     pub(super) calls: CellId,
     /// 1 from a given state until convergence, 2 if it was vouched for; where there is such a start.
-    pub(super) given: Option<CellId>,
+    pub(super) given: Option<Running>,
     /// Calls since the newest accepted sample, where the estimate says so.
     pub(super) coasted: Option<CellId>,
 }
@@ -94,10 +95,7 @@ pub(super) fn declare(builder: &mut Builder, plant: &Plant, design: &Impulsive) 
     });
     let outputs = outputs.collect();
     let knowns = design.knowns.iter().map(|known| kept(&identifier(&known.text), &known.text, "", 0.0)).collect();
-    let inputs = plant.inputs.iter();
-    let inputs =
-        inputs.map(|input| builder.float_cell(&format!("last_{}", input.label.name), "the last good value", 0.0));
-    let inputs = inputs.collect();
+    let inputs = inputs::cells(builder, plant);
     let phase = builder.index_cell("phase", "calls since the start or the last reset", 0);
     let most = full_count(design);
     let count =
@@ -113,7 +111,7 @@ pub(super) fn declare(builder: &mut Builder, plant: &Plant, design: &Impulsive) 
     let turn = builder.index_cell("turn", "calls since the last one that is measured", 0);
     let calls = builder.index_cell("calls", "calls since init", 0);
     let doc = "1 from a given state until convergence, 2 if that was vouched for";
-    let given = plant.init_at.then(|| builder.index_cell("given", doc, 0));
+    let given = plant.init_at.then(|| Running::declare(builder, doc));
     let coasted = plant.coasted.then(|| builder.index_cell("since", "calls since a sample was accepted", 0));
     Cells { first, second, outputs, knowns, inputs, phase, count, clean, coasting, missed, turn, calls, given, coasted }
 }

@@ -8,7 +8,6 @@ use crate::estimator::copies::known::Run as Between;
 use crate::program::{CellId, Value};
 use crate::sampled::Source;
 use crate::step::given;
-use crate::step::injections::{Injections, Moment, Samples};
 
 use super::count::Counted;
 use super::{Copies, Lowering, Sampled};
@@ -26,8 +25,7 @@ impl Lowering<'_> {
     /// Whether something is known of the state: by convergence, or from a given one.
     pub(super) fn or_given(&mut self, converged: Value) -> Value {
         let Some(cell) = self.cells.given else { return converged };
-        let (running, none) = (self.builder.read(cell), self.builder.index(0));
-        let given = self.builder.index_less(none, running);
+        let given = cell.active(&mut self.builder);
         self.builder.or(converged, given)
     }
 
@@ -35,8 +33,7 @@ impl Lowering<'_> {
     pub(super) fn runs_given(&mut self, sampled: &Sampled, copies: &Copies, counted: &Counted) -> Option<Run> {
         let cell = self.cells.given?;
         let b = &mut self.builder;
-        let (running, none, one) = (b.read(cell), b.index(0), b.index(1));
-        let mut active = b.index_less(none, running);
+        let mut active = cell.active(b);
         for over in [sampled.lost, copies.wild, counted.converged] {
             let goes_on = b.not(over);
             active = b.and(active, goes_on);
@@ -45,10 +42,9 @@ impl Lowering<'_> {
             let sane = b.in_range(*value, -limit, *limit);
             active = b.and(active, sane);
         }
-        let vouched = b.index_less(one, running);
+        let vouched = cell.vouched(b);
         let vouched = b.and(active, vouched);
-        let kept = b.select(active, running, none);
-        b.set(cell, kept);
+        cell.keep(b, active);
         Some(Run { active, vouched })
     }
 
@@ -66,10 +62,8 @@ impl Lowering<'_> {
         let mut values = self.by_age(now, kept);
         let known = &self.design.knowns[s];
         if self.cells.given.is_some() && matches!((known.source, known.run), (Source::Input(_), Between::Straight)) {
-            let (calls, none) = (self.builder.read(self.cells.calls), self.builder.index(0));
-            let first = self.builder.index_equal(calls, none);
             for value in &mut values[1..] {
-                *value = self.builder.select(first, now, *value);
+                *value = given::begun(&mut self.builder, self.cells.calls, now, *value);
             }
         }
         values
@@ -84,13 +78,10 @@ impl Lowering<'_> {
             b.section("the given state");
             let (state, vouched) = given::state(b, plant, bound);
             for ((cell, place), limit) in cells.first.iter().zip(&design.rest).zip(&bounds.limits) {
-                let (sane, zero) = (b.in_range(state[*place], -limit, *limit), b.float(0.0));
-                let value = b.select(sane, state[*place], zero);
+                let value = given::within(b, state[*place], *limit);
                 b.set(*cell, value);
             }
-            let (one, two) = (b.index(1), b.index(2));
-            let trusted = b.select(vouched, two, one);
-            b.set(running, trusted);
+            running.begin(b, vouched);
             b.section("what it shows, and what that makes of the nonlinear terms");
             let mut outputs = Vec::new();
             for ((o, range), kept) in bounds.guard.outputs.iter().enumerate().zip(&cells.outputs) {
@@ -100,16 +91,13 @@ impl Lowering<'_> {
                 }
                 outputs.push(shown);
             }
-            let zeros = plant.inputs.iter().map(|_| b.float(0.0)).collect();
-            let injections = Injections::new(plant, cells.calls, zeros);
+            let terms = given::terms(b, plant, cells.calls);
             for (known, kept) in design.knowns.iter().zip(&cells.knowns) {
                 let Source::Injection(k) = known.source else { continue };
                 if known.jumps || known.run == Between::Held {
                     continue;
                 }
-                let value = injections.evaluate(b, k, &Moment::Given, Samples::These(&outputs));
-                let (sane, zero) = (b.in_range(value, -bound, bound), b.float(0.0));
-                let value = b.select(sane, value, zero);
+                let value = given::term(b, &terms, k, &outputs, bound);
                 for cell in kept {
                     b.set(*cell, value);
                 }

@@ -1,12 +1,12 @@
 //! The first half of a step: reads the samples, guards them, predicts those that are not there, and evaluates what
 //! is known besides.
 
-use crate::program::{Value, place};
+use crate::program::Value;
 use crate::sampled::Source;
-use crate::step::front;
 use crate::step::injections::{Injections, Moment, Samples};
 use crate::step::logic::{all, any};
 use crate::step::missing::abandoned;
+use crate::step::{coasting, front, inputs, known};
 
 use super::cells::{length, period_count};
 use super::{Lowering, Sampled};
@@ -74,20 +74,8 @@ impl<'a> Lowering<'a> {
             outputs,
             knowns: values,
             inputs: signals.injections.inputs,
-            coasted: self.count_coasted(&good),
+            coasted: self.cells.coasted.map(|cell| coasting::count(&mut self.builder, cell, &good)),
         }
-    }
-
-    /// Counts the calls since the newest accepted sample, where the estimate says so.
-    fn count_coasted(&mut self, good: &[Value]) -> Option<Value> {
-        let cell = self.cells.coasted?;
-        let b = &mut self.builder;
-        let any = any(b, good);
-        let (none, before) = (b.index(0), b.read(cell));
-        let more = b.count_up(before, u32::MAX);
-        let coasted = b.select(any, none, more);
-        b.set(cell, coasted);
-        Some(coasted)
     }
 
     /// Whether this call is one that is measured.
@@ -156,11 +144,7 @@ impl<'a> Lowering<'a> {
         };
         let bound = self.bounds.guard.bound;
         for (u, input) in self.plant.inputs.iter().enumerate() {
-            let value = self.builder.read_input(place(u));
-            let good = self.builder.in_range(value, -bound, bound);
-            let last = self.builder.read(self.cells.inputs[u]);
-            let used = self.builder.select(good, value, last);
-            self.builder.set(self.cells.inputs[u], used);
+            let (used, good) = inputs::read(&mut self.builder, u, bound, self.cells.inputs[u]);
             signals.injections.inputs.push(used);
             if input.hold == Hold::Zero { signals.since.push(good) } else { signals.now.push(good) }
         }
@@ -195,21 +179,17 @@ impl<'a> Lowering<'a> {
 
     /// An injection's value, with the last good one in place of a bad one.
     fn guarded(&mut self, s: usize, k: usize, value: Value, signals: &mut Signals) -> Value {
-        if !self.bounds.guard.injections[k] {
-            return value;
-        }
-        let bound = self.bounds.guard.bound;
-        let good = self.builder.in_range(value, -bound, bound);
-        let last = self.builder.read(self.cells.knowns[s][0]);
+        let last = self.cells.knowns[s][0];
+        let (used, good) = known::guarded(&mut self.builder, &self.bounds.guard, k, value, |b| b.read(last));
         let known = &self.design.knowns[s];
         // A value that runs belongs to the sample; one of an interval alone to the interval.
         let of_sample = !known.jumps && known.run != Run::Held;
         if of_sample {
-            signals.now.push(good);
+            signals.now.extend(good);
         } else {
-            signals.since.push(good);
+            signals.since.extend(good);
         }
-        self.builder.select(good, value, last)
+        used
     }
 
     /// A known's value of this call before the samples are looked at: extrapolated where it needs them.

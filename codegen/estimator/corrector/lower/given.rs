@@ -6,7 +6,6 @@
 use crate::program::Value;
 use crate::sampled::{Part, Source};
 use crate::step::given;
-use crate::step::injections::{Injections, Moment, Samples};
 
 use super::super::Frame;
 use super::{Lowering, Predicted, calls};
@@ -39,9 +38,7 @@ impl Lowering<'_> {
             let runs = matches!((signal.source, signal.part), (Source::Input(_), Part::Runs));
             begun.push(match now {
                 Some(now) if runs && self.plant.init_at => {
-                    let (calls, none) = (self.builder.read(self.cells.calls), self.builder.index(0));
-                    let first = self.builder.index_equal(calls, none);
-                    self.builder.select(first, *now, before)
+                    given::begun(&mut self.builder, self.cells.calls, *now, before)
                 }
                 _ => before,
             });
@@ -71,8 +68,7 @@ impl Lowering<'_> {
                             }
                         }
                         let sum = b.sum(&terms);
-                        let (sane, zero) = (b.in_range(sum, -bound, bound), b.float(0.0));
-                        b.select(sane, sum, zero)
+                        given::within(b, sum, bound)
                     })
                     .collect(),
             };
@@ -99,13 +95,10 @@ impl Lowering<'_> {
             for (cell, value) in cells.outputs.iter().zip(&outputs) {
                 b.set(*cell, *value);
             }
-            let zeros = plant.inputs.iter().map(|_| b.float(0.0)).collect();
-            let injections = Injections::new(plant, cells.calls, zeros);
+            let terms = given::terms(b, plant, cells.calls);
             for (signal, cell) in design.signals.iter().zip(&cells.signals) {
                 let (Source::Injection(k), Part::Runs | Part::Curves) = (signal.source, signal.part) else { continue };
-                let value = injections.evaluate(b, k, &Moment::Given, Samples::These(&outputs));
-                let (sane, zero) = (b.in_range(value, -bound, bound), b.float(0.0));
-                let value = b.select(sane, value, zero);
+                let value = given::term(b, &terms, k, &outputs, bound);
                 b.set(*cell, value);
             }
         });

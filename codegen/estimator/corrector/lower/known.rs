@@ -1,10 +1,10 @@
 //! The first half of a step: reads the samples and what else is known, guards it, and predicts the state.
 
-use crate::program::{Value, place};
+use crate::program::Value;
 use crate::sampled::{Part, Signal, Source};
-use crate::step::front;
 use crate::step::injections::{Injections, Moment, Samples};
 use crate::step::logic::all;
+use crate::step::{front, inputs, known, rates};
 
 use super::super::Frame;
 use super::{Lowering, Predicted};
@@ -20,10 +20,10 @@ impl Lowering<'_> {
         let (b, ranges) = (&mut self.builder, &self.guard.outputs);
         let (samples, good): (Vec<Value>, Vec<Value>) =
             (0..count).map(|o| front::without_inputs(b, plant, o, read[o], &inputs, ranges[o])).unzip();
-        let due = self.due();
+        let due = rates::due(&mut self.builder, plant, &self.cells.due);
         let good: Vec<Value> =
             good.into_iter().zip(&due).map(|(good, due)| due.map_or(good, |due| self.builder.and(good, due))).collect();
-        let measured = self.measured(&good, &due);
+        let measured = rates::measured(&mut self.builder, &good, &due);
         self.builder.section("prediction by the plant");
         let injections = Injections::new(self.plant, self.cells.calls, inputs);
         let known: Vec<Option<Value>> =
@@ -33,7 +33,7 @@ impl Lowering<'_> {
         let (good, measured, jumped) = match (self.gated(), &guess) {
             (true, Some(guess)) => {
                 let (good, jumped) = self.accepted(&samples, &good, guess);
-                let measured = self.measured(&good, &due);
+                let measured = rates::measured(&mut self.builder, &good, &due);
                 (good, measured, jumped)
             }
             _ => (good, measured, self.builder.boolean(false)),
@@ -49,21 +49,10 @@ impl Lowering<'_> {
         Predicted { outputs, good, measured, complete, fine, jumped, state, inputs: injections.inputs }
     }
 
-    /// The inputs, with the last good value in place of a bad one; and which were good.
+    /// The inputs, and which were good.
     fn read_inputs(&mut self) -> (Vec<Value>, Vec<Value>) {
-        let bound = self.guard.bound;
-        let mut goods = Vec::new();
-        let mut inputs = Vec::new();
-        for u in 0..self.plant.inputs.len() {
-            let value = self.builder.read_input(place(u));
-            let good = self.builder.in_range(value, -bound, bound);
-            let last = self.builder.read(self.cells.inputs[u]);
-            let used = self.builder.select(good, value, last);
-            self.builder.set(self.cells.inputs[u], used);
-            inputs.push(used);
-            goods.push(good);
-        }
-        (inputs, goods)
+        let (b, bound) = (&mut self.builder, self.guard.bound);
+        self.cells.inputs.iter().enumerate().map(|(u, last)| inputs::read(b, u, bound, *last)).unzip()
     }
 
     /// Whether a signal can only be had with the samples of this call.
@@ -95,14 +84,12 @@ impl Lowering<'_> {
 
     /// An injection's value, with the last good one in place of a bad one.
     fn guarded(&mut self, s: usize, k: usize, value: Value, fine: &mut Vec<Value>) -> Value {
-        if !self.guard.injections[k] {
-            return value;
+        let cell = self.cells.signals[s];
+        let (used, good) = known::guarded(&mut self.builder, &self.guard, k, value, |b| b.read(cell));
+        if let Some(good) = good {
+            fine.push(good);
+            self.builder.set(cell, used);
         }
-        let good = self.builder.in_range(value, -self.guard.bound, self.guard.bound);
-        fine.push(good);
-        let last = self.builder.read(self.cells.signals[s]);
-        let used = self.builder.select(good, value, last);
-        self.builder.set(self.cells.signals[s], used);
         used
     }
 

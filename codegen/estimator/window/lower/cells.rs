@@ -10,7 +10,7 @@ use super::super::Functional;
 use super::count::longest_count;
 use super::irregular::Memory;
 use super::{kept_len, late_len};
-use crate::step::injections;
+use crate::step::{gate, injections, inputs};
 
 /// What is kept of a sampled signal.
 #[derive(Clone, Copy, Debug)]
@@ -131,11 +131,7 @@ pub(super) fn declare(builder: &mut Builder, plant: &Plant, functional: &Functio
         }
     });
     let signals = signals.collect();
-    let inputs = plant
-        .inputs
-        .iter()
-        .map(|input| builder.float_cell(&format!("last_{}", input.label.name), "the last good value", 0.0));
-    let inputs = inputs.collect();
+    let inputs = inputs::cells(builder, plant);
     let newest = builder.index_cell("newest", "slot of age 0", window - 1);
     let most = longest_count(functional);
     let count =
@@ -150,12 +146,7 @@ pub(super) fn declare(builder: &mut Builder, plant: &Plant, functional: &Functio
         )
     });
     let missed = missed.collect();
-    let rejected = plant.outputs.iter().map(|output| {
-        let name = &output.label.name;
-        let doc = format!("samples of {name} rejected in a row");
-        output.gate.as_ref().map(|_| builder.index_cell(&format!("rejected_{name}"), &doc, 0))
-    });
-    let rejected = rejected.collect();
+    let rejected = gate::cells(builder, plant);
     let irregular = if functional.gaps.is_some() { plant.outputs.as_slice() } else { &[] };
     let gaps = irregular.iter().map(|output| {
         let name = &output.label.name;

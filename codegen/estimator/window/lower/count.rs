@@ -1,10 +1,9 @@
 //! How much of the window is good: when the estimate has converged, and for how long it coasts.
 
-use crate::program::{CellId, Value};
+use crate::program::Value;
 
 use super::super::Functional;
 use super::{Lowering, Sampled, kept_len, late_len, window_len};
-use crate::step::logic::any;
 
 impl Lowering<'_> {
     /// Good samples in a row before and now, or how the window starts again.
@@ -42,17 +41,6 @@ impl Lowering<'_> {
         let found = self.builder.read(found);
         let found = self.counted(found, ago);
         self.builder.and(full, found)
-    }
-
-    /// Calls since a sample was accepted.
-    pub(super) fn coasted(&mut self, cell: CellId, good: &[Value]) -> Value {
-        let b = &mut self.builder;
-        let accepted = any(b, good);
-        let (none, before) = (b.index(0), b.read(cell));
-        let more = b.count_up(before, u32::MAX);
-        let since = b.select(accepted, none, more);
-        b.set(cell, since);
-        since
     }
 
     /// Calls until no replaced sample is in the longest window.

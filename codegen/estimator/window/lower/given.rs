@@ -5,18 +5,17 @@ use crate::plant::Plant;
 use crate::program::builder::Builder;
 use crate::program::{CellId, Value};
 use crate::sampled::carry::Carry;
-use crate::step::given;
+use crate::step::given::{self, Running};
 
 use super::{Lowering, Sampled, kept_len};
 use crate::sampled::{Part, Source};
-use crate::step::injections::{Injections, Moment, Samples};
 
 /// What is kept of a given state.
 pub(crate) struct Given {
     /// Per state of the model's run.
     pub(crate) state: Vec<CellId>,
     /// 0, or while the model runs 1; 2 where the caller vouched.
-    pub(crate) running: CellId,
+    pub(crate) running: Running,
     /// One call of the model.
     carry: Carry,
     /// The run of this call.
@@ -42,7 +41,7 @@ impl Given {
         });
         let state = state.collect();
         let doc = "1 while the model runs from a given state, 2 if that was vouched for";
-        let running = b.index_cell("given", doc, 0);
+        let running = Running::declare(b, doc);
         Self { state, running, carry, run: None }
     }
 }
@@ -58,13 +57,12 @@ impl Lowering<'_> {
         let before: Vec<Value> = given.state.iter().map(|cell| b.read(*cell)).collect();
         let next = given.carry.next(b, self.plant.scalar, &before, (&begin, &sampled.signals));
         let state = given::turned_back(b, self.plant, next);
-        let (running, none, one) = (b.read(given.running), b.index(0), b.index(1));
-        let mut active = b.index_less(none, running);
+        let mut active = given.running.active(b);
         for value in &state {
             let sane = b.in_range(*value, -self.guard.bound, self.guard.bound);
             active = b.and(active, sane);
         }
-        let vouched = b.index_less(one, running);
+        let vouched = given.running.vouched(b);
         given.run = Some(Run { state, active, vouched });
         self.given = Some(given);
     }
@@ -77,9 +75,7 @@ impl Lowering<'_> {
         if !matches!((signal.source, signal.part), (Source::Input(_), Part::Runs)) {
             return before;
         }
-        let (calls, none) = (self.builder.read(self.cells.calls), self.builder.index(0));
-        let first = self.builder.index_equal(calls, none);
-        self.builder.select(first, sampled.signals[s], before)
+        given::begun(&mut self.builder, self.cells.calls, sampled.signals[s], before)
     }
 
     /// Whether the model runs from a given state, by the call before; false where none is given.
@@ -94,9 +90,8 @@ impl Lowering<'_> {
         let goes_on = b.not(over);
         run.active = b.and(run.active, goes_on);
         run.vouched = b.and(run.active, run.vouched);
-        let (zero, none, before) = (b.float(0.0), b.index(0), b.read(*running));
-        let kept = b.select(run.active, before, none);
-        b.set(*running, kept);
+        let zero = b.float(0.0);
+        running.keep(b, run.active);
         for (cell, value) in state.iter().zip(&run.state) {
             let kept = b.select(run.active, *value, zero);
             b.set(*cell, kept);
@@ -125,9 +120,7 @@ impl Lowering<'_> {
             for (cell, value) in given.state.iter().zip(&state) {
                 b.set(*cell, *value);
             }
-            let (one, two) = (b.index(1), b.index(2));
-            let running = b.select(vouched, two, one);
-            b.set(given.running, running);
+            given.running.begin(b, vouched);
             b.section("what it shows, and what that makes of the nonlinear terms");
             let slot = b.index(kept_len(functional) - 1);
             let mut outputs = Vec::new();
@@ -139,13 +132,10 @@ impl Lowering<'_> {
                 }
                 outputs.push(shown);
             }
-            let zeros = plant.inputs.iter().map(|_| b.float(0.0)).collect();
-            let injections = Injections::new(plant, cells.calls, zeros);
+            let terms = given::terms(b, plant, cells.calls);
             for (signal, kept) in functional.signals.iter().zip(&cells.signals) {
                 let (Source::Injection(k), Part::Runs | Part::Curves) = (signal.source, signal.part) else { continue };
-                let value = injections.evaluate(b, k, &Moment::Given, Samples::These(&outputs));
-                let (sane, zero) = (b.in_range(value, -bound, bound), b.float(0.0));
-                let value = b.select(sane, value, zero);
+                let value = given::term(b, &terms, k, &outputs, bound);
                 kept.write(b, slot, value);
             }
             more(b, &state);

@@ -1,13 +1,12 @@
 //! What a step keeps for the next prediction, and what it returns.
 
-use crate::program::{Field, Kind, Status, Value};
+use crate::program::Value;
 use crate::sampled::settled::Settled;
-use crate::step::report::start;
+use crate::step::report::{self, Moved, start};
 
 use super::{Lowering, Sampled, late_len};
 use crate::sampled::Part;
 use crate::step::injections::Injections;
-use crate::step::report::field;
 
 /// How far an estimate can be trusted.
 pub(crate) struct Standing {
@@ -76,21 +75,18 @@ impl Lowering<'_> {
             let value = self.builder.select(known, *estimate, start);
             answer.push(self.or_given(i, value));
         }
-        if let Some(ahead) = self.ahead {
+        let moved = self.ahead.map(|ahead| {
             let injections = Injections::new(self.plant, self.cells.calls, sampled.inputs.clone());
-            answer = ahead.moved(&mut self.builder, self.plant, &answer, &injections, &sampled.outputs);
-        }
-        for (state, value) in self.plant.states.iter().zip(answer) {
-            let name = format!("{}{behind}", state.label.name);
-            self.builder.estimate(field(&name, &state.label.unit, &state.label.doc), value);
-        }
+            Moved { ahead, injections, outputs: &sampled.outputs }
+        });
+        report::estimates(&mut self.builder, self.plant, answer, moved, behind);
     }
 
     /// Calls since the newest accepted sample, where they are asked for.
     pub(super) fn show_coasted(&mut self, sampled: &Sampled) {
-        let Some(coasted) = sampled.coasted else { return };
-        let (name, doc) = ("coasted".into(), "calls since the newest accepted sample".into());
-        self.builder.estimate(Field { name, unit: String::new(), doc, kind: Kind::Index }, coasted);
+        if let Some(coasted) = sampled.coasted {
+            report::coasted(&mut self.builder, coasted);
+        }
     }
 
     /// The status.
@@ -109,10 +105,7 @@ impl Lowering<'_> {
             let renewed = self.or_vouched(renewed);
             clean = self.builder.and(renewed, clean);
         }
-        let statuses = [Status::Converged, Status::Coasting, Status::Converging].map(|s| self.builder.status(s));
-        let working = self.builder.select(clean, statuses[0], statuses[1]);
         let determined = self.or_vouched(standing.determined);
-        let status = self.builder.select(determined, working, statuses[2]);
-        self.builder.report(status);
+        report::status(&mut self.builder, determined, clean);
     }
 }

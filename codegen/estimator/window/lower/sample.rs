@@ -4,12 +4,11 @@
 use crate::plant::Hold;
 use crate::program::Value;
 use crate::program::builder::Builder;
-use crate::step::front;
 use crate::step::logic::{all, any};
 use crate::step::missing::abandoned;
+use crate::step::{coasting, front, inputs, known};
 
 use super::{Lowering, Sampled, late_len};
-use crate::program::place;
 use crate::sampled::{Part, Source};
 use crate::step::injections::{Injections, Moment, Samples};
 
@@ -81,7 +80,7 @@ impl<'a> Lowering<'a> {
             })
             .unzip();
 
-        let coasted = self.cells.coasted.map(|cell| self.coasted(cell, &good));
+        let coasted = self.cells.coasted.map(|cell| coasting::count(&mut self.builder, cell, &good));
         let patience = |o: usize| window - late_len(self.functional, o);
         let missed: Vec<_> = self.cells.missed.iter().enumerate().map(|(o, cell)| (*cell, patience(o))).collect();
         lost.extend(abandoned(&mut self.builder, &missed, &good));
@@ -162,16 +161,13 @@ impl<'a> Lowering<'a> {
     }
 
     fn read_input(&mut self, u: usize, before: Value) -> (Value, Value) {
-        let value = self.builder.read_input(place(u));
-        let good = self.builder.in_range(value, -self.guard.bound, self.guard.bound);
+        let bound = self.guard.bound;
         if let Some(s) = self.functional.signals.iter().position(|s| s.source == Source::Input(u)) {
+            let (value, good) = inputs::sample(&mut self.builder, u, bound);
             let last = self.cells.signals[s].read(&mut self.builder, before);
             return (self.builder.select(good, value, last), good);
         }
-        let last = self.builder.read(self.cells.inputs[u]);
-        let used = self.builder.select(good, value, last);
-        self.builder.set(self.cells.inputs[u], used);
-        (used, good)
+        inputs::read(&mut self.builder, u, bound, self.cells.inputs[u])
     }
 
     /// Signals that need no sample of this call: inputs, what is constant since the last call, and
@@ -223,11 +219,7 @@ impl<'a> Lowering<'a> {
         let read = |b: &mut Builder, o: usize| outputs[o].read(b, before);
         let samples = if matches!(moment, Moment::Ago(_)) { Samples::Kept(&read) } else { Samples::These(samples) };
         let value = signals.injections.evaluate(&mut self.builder, k, moment, samples);
-        if !self.guard.injections[k] {
-            return (value, None);
-        }
-        let good = self.builder.in_range(value, -self.guard.bound, self.guard.bound);
-        let last = self.cells.signals[s].read(&mut self.builder, before);
-        (self.builder.select(good, value, last), Some(good))
+        let kept = self.cells.signals[s];
+        known::guarded(&mut self.builder, &self.guard, k, value, |b| kept.read(b, before))
     }
 }

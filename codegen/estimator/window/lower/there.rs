@@ -3,7 +3,7 @@
 
 use crate::expr::Symbol;
 use crate::program::Value;
-use crate::step::front;
+use crate::step::{coasting, front};
 
 use super::irregular::{Memory, acted};
 use super::sample::Signals;
@@ -72,7 +72,7 @@ impl Lowering<'_> {
         };
         let lost = any(&mut self.builder, &lost);
         let cell = self.plant.coasted.then(|| self.memory().coasted);
-        let coasted = cell.map(|cell| self.coasted(cell, &good));
+        let coasted = cell.map(|cell| coasting::count(&mut self.builder, cell, &good));
         let samples_good = self.builder.boolean(true);
         let of_now: Vec<Value> = expected.into_iter().chain(now).collect();
         let (interval_good, newest_good) = (all(&mut self.builder, &since), all(&mut self.builder, &of_now));
