@@ -52,6 +52,7 @@ mod sensors {
     mod left_out;
     mod missing;
     mod rates;
+    mod several_rates;
     mod several_rates_kalman;
     mod wrap;
     mod wrap_correctors;
