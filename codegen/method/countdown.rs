@@ -1,6 +1,6 @@
 //! Methods that count down to a prescribed time: the gain laws of 003 and 004 with their numbers, and what follows.
 //!
-//! [`keys`] reads the table, [`numbers`] evaluates a law; here are the steps, where they end, and what the user should
+//! [`keys`] reads the table, [`numbers`](mod@numbers) evaluates a law; here are the steps, where they end, and what the user should
 //! know of that.
 
 pub mod keys;

@@ -47,7 +47,7 @@ fn asking(text: &str, feature: Feature) -> Option<String> {
     let of_target = |keys: &str| {
         text.contains("[target]\n").then(|| text.replacen("[target]\n", &format!("[target]\n{keys}\n"), 1))
     };
-    let has = |key: &str| text.contains(&format!("{key} = "));
+    let has = |key: &str| text.contains(&format!(" {key} = ")) || text.contains(&format!("\n{key} = "));
     if has(feature.key()) {
         return Some(text.to_owned());
     }
