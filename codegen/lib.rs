@@ -88,8 +88,7 @@ impl Generator {
         let (spec, keyed) = method::read(self.source.clone(), self.settings)?;
         let (plant, mut warnings) = Plant::new(&spec)?;
         let plant = keyed.observed(plant).map_err(report)?;
-        let refused =
-            plant::features::refused(&plant, &spec.observer.method.value, |feature| keyed.cannot(feature, &plant));
+        let refused = method::refusals(&plant, &spec.observer.method.value, keyed.as_ref());
         if !refused.is_empty() {
             return Err(report(refused));
         }

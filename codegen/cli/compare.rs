@@ -128,7 +128,8 @@ fn held(group: &Group, settings: Settings) -> Result<Option<Contest>, Failure> {
     let elsewhere = group.reference_log.as_deref().map(tracks).transpose()?;
     let mut progress = Progress::new();
     let log = open(&group.log)?;
-    let mut contest = Contest::hold(entrants, &group.signals, log, elsewhere, &mut |rows| progress.show(rows))?;
+    let mut contest =
+        Contest::hold(entrants, &group.signals, log, elsewhere.as_deref(), &mut |rows| progress.show(rows))?;
     contest.title.clone_from(&group.title);
     Ok(Some(contest))
 }

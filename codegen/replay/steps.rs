@@ -47,7 +47,7 @@ pub struct Steps<'a> {
     previous: Option<Row>,
     /// Of the first row, s.
     start: Option<f64>,
-    steps: u64,
+    calls: u64,
     odd_rows: u32,
     /// Rows fed.
     pub rows: u64,
@@ -104,7 +104,7 @@ impl<'a> Steps<'a> {
             held: vec![0.0; generated.plant.inputs.len()],
             previous: None,
             start: None,
-            steps: 0,
+            calls: 0,
             odd_rows: 0,
             rows: 0,
             converged_rows: 0,
@@ -170,7 +170,7 @@ impl<'a> Steps<'a> {
                 let inputs = self.inputs(previous, row, missing, gap);
                 let nothing = self.between(previous, row, missing, gap);
                 self.interpreter.step(&nothing, &inputs, &mut estimate);
-                self.steps += 1;
+                self.calls += 1;
                 self.left_out += 1;
             }
         }
@@ -178,7 +178,7 @@ impl<'a> Steps<'a> {
         let status = self.interpreter.step(&row.measurements, &inputs, &mut estimate);
         self.compare(row, &estimate, status);
         let t = row.t.unwrap_or_else(|| self.now());
-        self.steps += 1;
+        self.calls += 1;
         self.rows += 1;
         self.start = self.start.or(row.t);
         self.previous = Some(row.clone());
@@ -187,7 +187,7 @@ impl<'a> Steps<'a> {
 
     #[expect(clippy::cast_precision_loss, reason = "a recording has fewer than 2^53 rows")]
     fn now(&self) -> f64 {
-        self.steps as f64 * self.plant().sample_time_s()
+        self.calls as f64 * self.plant().sample_time_s()
     }
 
     fn compare(&mut self, row: &Row, estimate: &[f64], status: Status) {
@@ -196,7 +196,7 @@ impl<'a> Steps<'a> {
         }
         self.converged_rows += 1;
         self.coasting_rows += u64::from(status == Status::Coasting);
-        self.converged_from = self.converged_from.or(Some(self.steps + 1));
+        self.converged_from = self.converged_from.or(Some(self.calls + 1));
         for (place, reference) in row.references.iter().enumerate() {
             if reference.is_finite() && self.interface.has_converged(place, estimate, status) {
                 self.errors[place].add(self.interface.answers[place].error(estimate[place], *reference));
@@ -264,8 +264,8 @@ impl<'a> Steps<'a> {
     fn check_rate(&self, row: &Row, gap: u64) -> Result<(), TimeError> {
         let Some((start, now)) = self.start.zip(row.t).filter(|_| self.rows >= RATE_ROWS) else { return Ok(()) };
         let h = self.plant().sample_time_s();
-        // The first row is at step 0, the previous one at `self.steps - 1`.
-        let steps = (self.steps - 1 + gap) as f64;
+        // The first row is at step 0, the previous one at `self.calls - 1`.
+        let steps = (self.calls - 1 + gap) as f64;
         if ((now - start) / h - steps).abs() <= RATE_SAMPLES + RATE_SHARE * steps {
             return Ok(());
         }

@@ -75,6 +75,7 @@ mod tool {
     mod compare;
     mod diagnostics;
     mod doors;
+    mod features;
     mod readme;
     mod replay;
     mod replay_library;

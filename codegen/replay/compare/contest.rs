@@ -82,7 +82,7 @@ impl Contest {
         mut entrants: Vec<Entrant>,
         signals: &Signals,
         recording: Recording<R>,
-        elsewhere: Option<Vec<Track>>,
+        elsewhere: Option<&[Track]>,
         progress: &mut dyn FnMut(u64),
     ) -> Result<Self, ReplayError> {
         told_apart(&mut entrants);
@@ -91,7 +91,7 @@ impl Contest {
         let mut contest = replayed(&entrants, signals, recording, elsewhere.is_none(), progress)?;
         let times = contest.times.clone();
         for (r, quantity) in contest.quantities.iter_mut().enumerate() {
-            match &elsewhere {
+            match elsewhere {
                 Some(tracks) => quantity.reference = tracks[r].clone(),
                 None => quantity.reference.times.clone_from(&times),
             }

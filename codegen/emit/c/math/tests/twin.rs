@@ -2,7 +2,6 @@
 
 #![expect(clippy::cast_possible_truncation, reason = "bits move between words of known range")]
 
-use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -76,7 +75,7 @@ fn compilers() -> Vec<&'static str> {
 /// The functions of these names and everything that they require, as the emitter writes it.
 fn source(names: &[String]) -> String {
     let mut text = String::from("#include <stdint.h>\n");
-    for part in closure(BTreeSet::from_iter(names.iter().cloned())) {
+    for part in closure(names.iter().cloned().collect()) {
         text.push('\n');
         text.push_str(part.text);
     }
