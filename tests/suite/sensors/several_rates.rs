@@ -103,6 +103,10 @@ impl Rare {
         text
     }
 
+    fn counts_down(&self) -> bool {
+        matches!(self.gains, Gains::Prescribed | Gains::Deadbeat | Gains::Table | Gains::Handover)
+    }
+
     fn phi(&self, calls: usize) -> DMatrix<f64> {
         exponential(&(&self.a * (calls as f64 * H)))
     }
@@ -236,7 +240,10 @@ fn the_worst_noise_reaches_the_bound_and_never_passes_it() {
         for (i, reached) in reached.iter().enumerate() {
             let bound = generated.design.certificate.noise_gain_l1[i][0];
             assert!(*reached <= bound * (1.0 + 1e-9), "{:?}, m = {}: {reached} above {bound}", rare.gains, rare.every);
-            assert!(*reached >= 0.98 * bound, "{:?}, m = {}: {reached} of {bound}", rare.gains, rare.every);
+            // One gain for all samples is summed up exactly; what was before the end of a countdown stays in the bound by its
+            // magnitudes, once a thousandth of it is left.
+            let least = if rare.counts_down() { 0.9 } else { 0.999 };
+            assert!(*reached >= least * bound, "{:?}, m = {}: {reached} of {bound}", rare.gains, rare.every);
         }
     }
 }
