@@ -10,15 +10,15 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use annotate_snippets::renderer::DecorStyle;
-use annotate_snippets::{AnnotationKind, Level as SnippetLevel, Renderer, Snippet};
+use annotate_snippets::{Annotation, AnnotationKind, Group, Level as SnippetLevel, Origin, Renderer, Snippet};
 use serde::Serialize;
 
 /// The specification's text and the name under which messages mention it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Source {
-    /// As the user wrote it: a path, or `-`.
+    /// As the user wrote it: a path, or `-`; empty for a mistake that is in no file.
     pub name: Arc<str>,
-    /// The whole text.
+    /// The whole text; empty where a file could not be read, and messages then show its name alone.
     pub text: Arc<str>,
 }
 
@@ -157,6 +157,8 @@ pub struct Report {
     pub source: Source,
     /// In the order of their places in the file.
     pub diagnostics: Vec<Diagnostic>,
+    /// What is said of further files, where several were asked for at once.
+    pub others: Vec<Report>,
 }
 
 impl Report {
@@ -164,22 +166,32 @@ impl Report {
     pub fn new(source: Source, mut diagnostics: Vec<Diagnostic>) -> Self {
         diagnostics.sort_by_key(|d| (d.labels[0].span.start, d.code));
         diagnostics.dedup();
-        Self { source, diagnostics }
+        Self { source, diagnostics, others: vec![] }
+    }
+
+    /// An error of a whole file or folder, by its name, or of a request, without one.
+    pub(crate) fn without_place(name: &str, code: &'static str, message: String, help: &str) -> Self {
+        let source = Source { name: name.into(), text: "".into() };
+        Self::new(source, vec![Diagnostic::error(code, 0..0, message).help(help)])
+    }
+
+    /// Several reports as one; nothing when there are none.
+    pub(crate) fn all(reports: Vec<Self>) -> Option<Self> {
+        let mut reports = reports.into_iter();
+        let mut first = reports.next()?;
+        first.others.extend(reports);
+        Some(first)
     }
 
     /// Whether anything forbids generation.
     pub fn has_errors(&self) -> bool {
-        self.diagnostics.iter().any(|d| d.level == Level::Error)
+        self.diagnostics.iter().any(|d| d.level == Level::Error) || self.others.iter().any(Self::has_errors)
     }
 
     /// The report as text, with colours when `styled`; empty when there is nothing to say.
     pub fn render(&self, styled: bool) -> String {
-        let mut text = String::new();
-        for diagnostic in &self.diagnostics {
-            text.push_str(&self.render_one(diagnostic, styled));
-            text.push_str("\n\n");
-        }
-        text
+        let own = self.diagnostics.iter().map(|diagnostic| self.render_one(diagnostic, styled) + "\n\n");
+        own.chain(self.others.iter().map(|other| other.render(styled))).collect()
     }
 
     fn render_one(&self, diagnostic: &Diagnostic, styled: bool) -> String {
@@ -187,14 +199,14 @@ impl Report {
             Level::Error => SnippetLevel::ERROR,
             Level::Warning => SnippetLevel::WARNING,
         };
-        let mut snippet = Snippet::source(&*self.source.text).path(&*self.source.name).fold(true);
-        for (place, label) in diagnostic.labels.iter().enumerate() {
-            let kind = if place == 0 { AnnotationKind::Primary } else { AnnotationKind::Context };
-            let annotation = kind.span(self.source.clamp(&label.span));
-            snippet =
-                snippet.annotation(if label.text.is_empty() { annotation } else { annotation.label(&*label.text) });
-        }
-        let mut group = level.primary_title(&*diagnostic.message).id(diagnostic.code).element(snippet);
+        let title = level.primary_title(&*diagnostic.message).id(diagnostic.code);
+        let mut group = if !self.source.text.is_empty() {
+            title.element(self.snippet(diagnostic))
+        } else if !self.source.name.is_empty() {
+            title.element(Origin::path(&*self.source.name))
+        } else {
+            Group::with_title(title)
+        };
         if let Some(help) = &diagnostic.help {
             group = group.element(SnippetLevel::HELP.message(&**help));
         }
@@ -202,10 +214,28 @@ impl Report {
         renderer.decor_style(DecorStyle::Ascii).render(&[group])
     }
 
+    /// The lines that a diagnostic points at.
+    fn snippet<'a>(&'a self, diagnostic: &'a Diagnostic) -> Snippet<'a, Annotation<'a>> {
+        let mut snippet = Snippet::source(&*self.source.text).path(&*self.source.name).fold(true);
+        for (place, label) in diagnostic.labels.iter().enumerate() {
+            let kind = if place == 0 { AnnotationKind::Primary } else { AnnotationKind::Context };
+            let annotation = kind.span(self.source.clamp(&label.span));
+            snippet =
+                snippet.annotation(if label.text.is_empty() { annotation } else { annotation.label(&*label.text) });
+        }
+        snippet
+    }
+
     /// The report for machines: one object per diagnostic, in an array.
     #[cfg(feature = "json")]
     pub fn to_json(&self) -> serde_json::Value {
-        self.diagnostics.iter().map(|d| self.one_to_json(d)).collect()
+        self.objects().into()
+    }
+
+    #[cfg(feature = "json")]
+    fn objects(&self) -> Vec<serde_json::Value> {
+        let own = self.diagnostics.iter().map(|d| self.one_to_json(d));
+        own.chain(self.others.iter().flat_map(Self::objects)).collect()
     }
 
     #[cfg(feature = "json")]
@@ -223,7 +253,8 @@ impl Report {
     }
 }
 
-/// What each code stands for; `DB01` the file, `DB02` the plant, `DB03` the design, `DB04` the step.
+/// What each code stands for; `DB01` the file, `DB02` the plant, `DB03` the design, `DB04` the step, `DB05` what
+/// was asked for.
 pub mod codes {
     macro_rules! codes {
         ($($name:ident $code:literal $text:literal)*) => {
@@ -269,6 +300,8 @@ pub mod codes {
         TIME_RESOLUTION "DB0402" "time that loses resolution in the target's float"
         WINDOW_TOO_LONG "DB0403" "a window too long to design"
         FLOAT_RESOLUTION "DB0404" "samples that the target's float resolves more coarsely than their noise"
+        FILE "DB0501" "a file or folder that cannot be read or written"
+        REQUEST "DB0502" "a request without a specification, without a folder, or with one name twice"
     }
 }
 

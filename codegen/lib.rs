@@ -6,7 +6,7 @@
 //! spec text -> Spec -> Plant -> Design -> Program -> .rs, .h + .c, .step
 //! ```
 //!
-//! Text in, a list of files out; only [`build`], [`Output::write_to`] and [`Output::verify`], the macro and
+//! Text in, a list of files out; only [`Build`], [`Output::write_to`] and [`Output::verify`], the macro and
 //! the command line touch the disk. Start at [`Generator`].
 
 /// The rooms of the generator, for its own tests and tools. They promise nothing: any of it may change with any version.
@@ -42,7 +42,7 @@ use internals::{
     decimal, emit, estimator, expr, generated, method, names, numbers, output, plant, real, sampled, spec, step,
 };
 
-pub use build::build;
+pub use build::{Build, build};
 pub use diagnostic::{Report, Source};
 pub use estimator::{Design, Estimator};
 pub use generated::{Generated, VERSION};
@@ -87,8 +87,7 @@ impl Generator {
         let (spec, keyed) = method::read(self.source.clone(), self.settings)?;
         let (plant, mut warnings) = Plant::new(&spec)?;
         let plant = keyed.observed(plant).map_err(report)?;
-        let refused =
-            plant::features::refused(&plant, &spec.observer.method.value, |feature| keyed.cannot(feature, &plant));
+        let refused = method::refusals(&plant, &spec.observer.method.value, keyed.as_ref());
         if !refused.is_empty() {
             return Err(report(refused));
         }

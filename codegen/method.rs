@@ -18,6 +18,7 @@ pub mod impulsive;
 pub mod kalman;
 pub mod low_pass;
 pub mod luenberger;
+pub mod matrix;
 mod noise;
 pub mod order;
 pub mod parameters;
@@ -28,7 +29,7 @@ pub mod robust_exact;
 pub mod single_delay;
 pub mod window;
 
-use crate::plant::features::{Cannot, Feature};
+use crate::plant::features::{Limit, refused};
 use std::fmt::Debug;
 use std::sync::Arc;
 
@@ -71,6 +72,8 @@ pub struct Method {
     pub keys: &'static [(&'static str, &'static str, &'static str)],
     /// How the step can be realised, with a line each; the first is the default.
     pub realizations: &'static [(&'static str, &'static str)],
+    /// What it cannot take, with the reasons.
+    pub limits: &'static [Limit],
     /// The page that `deadbeat list <method>` prints below these.
     pub page: &'static str,
     /// Reads the method's table; mistakes are reported there and give `None`.
@@ -96,8 +99,10 @@ pub trait Keyed: Debug + Send + Sync {
             .into())
     }
 
-    /// Why something that a specification asks for cannot be done for this plant.
-    fn cannot(&self, feature: Feature, plant: &Plant) -> Option<Cannot>;
+    /// Whether the words of one of the method's limits are true of its keys.
+    fn limited(&self, _words: &str, _plant: &Plant) -> bool {
+        false
+    }
 
     /// Designs the observer for a plant, or says everything that stands against it.
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>>;
@@ -128,6 +133,12 @@ pub fn read(source: Source, settings: Settings) -> Result<(Spec, Arc<dyn Keyed>)
     })?;
     let keyed = keyed.unwrap_or_else(|| unreachable!("a specification without an observer is refused"));
     Ok((spec, keyed))
+}
+
+/// What a plant's specification asks for that its method cannot take.
+pub fn refusals(plant: &Plant, name: &str, keyed: &dyn Keyed) -> Vec<Diagnostic> {
+    let limits = METHODS.iter().find(|method| method.name == name).map_or(&[][..], |method| method.limits);
+    refused(plant, name, limits, |words| keyed.limited(words, plant))
 }
 
 /// The keys of a method's table, by the method's name.

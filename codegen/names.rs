@@ -23,13 +23,13 @@ pub(super) struct Names {
 const OWN: [&str; 5] = ["H", "SAMPLE_TIME", "CONVERGING", "CONVERGED", "COASTING"];
 
 impl Names {
-    /// The names of a Program.
-    pub fn new(program: &Program) -> Self {
+    /// The names of a Program; some are taken by what a language needs beside it.
+    pub fn new(program: &Program, is_taken: impl Fn(&str) -> bool) -> Self {
         let mut tables: Vec<String> = vec![];
         for Table { name, .. } in &program.tables {
             let numbered = (2..).map(|number: u32| format!("{name}_{number}"));
             let mut candidates = std::iter::once(name.clone()).chain(numbered);
-            let is_free = |name: &String| !is_own(name) && !tables.contains(name);
+            let is_free = |name: &String| !OWN.contains(&name.as_str()) && !is_taken(name) && !tables.contains(name);
             let free = candidates.find(is_free);
             tables.push(free.unwrap_or_else(|| unreachable!("there are names without end")));
         }
@@ -53,18 +53,10 @@ impl Names {
         format!("t{:0digits$}", value.0, digits = self.digits)
     }
 
-    /// A fragment of the runtime's C source with this prefix in place of its own.
+    /// A part of the elementary functions in C with this prefix in place of its own.
     pub fn adopt(&self, source: &str) -> String {
         source.replace("deadbeat_", &format!("{}_", self.lower)).replace("DEADBEAT_", &format!("{}_", self.upper))
     }
-}
-
-/// Whether a name at file scope is taken by the generator or by the runtime's C source.
-fn is_own(name: &str) -> bool {
-    let macro_name = format!("DEADBEAT_{name}");
-    let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
-    let in_runtime = |source: &str| source.split(|c| !is_word(c)).any(|word| word == macro_name);
-    OWN.contains(&name) || deadbeat_math::c::FRAGMENTS.iter().any(|it| in_runtime(it.source))
 }
 
 /// The largest number of a value.

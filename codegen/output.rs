@@ -61,14 +61,19 @@ pub enum Difference {
 }
 
 impl Output {
-    /// Emits every language.
+    /// Emits every language, Rust as a module's file.
     pub fn new(generated: &Generated, source: &Source) -> Self {
+        Self::through(Door::File, generated, source)
+    }
+
+    /// Emits every language, Rust for its way into the user's crate.
+    pub(crate) fn through(door: Door, generated: &Generated, source: &Source) -> Self {
         let program = &generated.program;
         let name = &program.name;
         let header = |language| header::header(generated, source, language);
         let file = |suffix: &str, language, text| File { name: format!("{name}.{suffix}"), language, text };
         let files = vec![
-            file("rs", Language::Rust, emit::rust(program, &header(Language::Rust), Door::File)),
+            file("rs", Language::Rust, emit::rust(program, &header(Language::Rust), door)),
             file("h", Language::C, emit::c_header(program, &header(Language::C))),
             file("c", Language::C, emit::c_source(program, &header(Language::C))),
             file("step", Language::Step, header::commented(&header(Language::Step), "#") + &listing(program)),

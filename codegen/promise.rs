@@ -46,9 +46,9 @@ pub struct Certificate {
 /// How the estimate comes to its bound.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Convergence {
-    /// Exact from [`Design::valid_from_step`] on, whatever the initial state.
+    /// Exact from the design's `valid_from_step` on, whatever the initial state.
     Finite,
-    /// By a factor each period; [`Design::valid_from_step`] is when [`CONTRACTED`] of the initial error is left.
+    /// By a factor each period; the design's `valid_from_step` is when [`CONTRACTED`] of the initial error is left.
     Geometric {
         /// Spectral radius of the linear part's error map over one period.
         radius: f64,
@@ -62,7 +62,7 @@ pub enum Convergence {
         /// The largest explained innovation, in units of the output.
         innovation: f64,
     },
-    /// At [`Design::valid_from_step`], to what the gains leave of it.
+    /// At the design's `valid_from_step`, to what the gains leave of it.
     Prescribed {
         /// Of the worst initial error, in the root mean square of what it does to the outputs until then.
         left: f64,

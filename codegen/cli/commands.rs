@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 use std::path::PathBuf;
 
+use deadbeat_codegen::internals::method::matrix;
 use deadbeat_codegen::{Difference, Generated, METHODS, Method, Output, Report};
 use serde_json::{Value, json};
 use similar::TextDiff;
@@ -178,6 +179,8 @@ pub fn list(method: Option<&str>, common: &Common) -> Result<End, Failure> {
             let _ = writeln!(text, "  {:<16} realization {name}: {what}", "");
         }
     }
+    text += "Features; what `partly` and `-` mean, `deadbeat list METHOD` says\n";
+    text += &matrix::text();
     text += "Targets\n  rust, f32 or f64   no_std, no allocation; needs the crate `deadbeat`\n";
     text += "  c, f32 or f64      C99, also C++ and MSVC; needs nothing\n";
     text += "`deadbeat list METHOD` prints a method's page.\n";
@@ -196,6 +199,12 @@ fn page(method: &Method) -> String {
     for (name, what) in method.realizations {
         let _ = writeln!(text, "  {name:<12} {what}");
     }
+    if !method.limits.is_empty() {
+        text += "\nCannot take\n";
+        for line in method.limits() {
+            let _ = writeln!(text, "  {line}");
+        }
+    }
     format!("{text}\n{}", method.page)
 }
 
@@ -206,5 +215,10 @@ fn method_json(method: &Method) -> Value {
         .map(|(key, kind, meaning)| json!({ "key": key, "value": kind, "meaning": meaning }))
         .collect();
     let realizations: Vec<&str> = method.realizations.iter().map(|(name, _)| *name).collect();
-    json!({ "name": method.name, "summary": method.summary, "source": method.source, "keys": keys, "realizations": realizations })
+    let cannot: Vec<Value> = method
+        .limits
+        .iter()
+        .map(|it| json!({ "key": it.feature.key(), "when": it.when.words(), "why": it.why, "instead": it.instead }))
+        .collect();
+    json!({ "name": method.name, "summary": method.summary, "source": method.source, "keys": keys, "realizations": realizations, "cannot": cannot })
 }

@@ -5,6 +5,7 @@
 
 mod declaration;
 mod function;
+pub(super) mod math;
 mod operation;
 mod runtime;
 mod statement;

@@ -8,6 +8,7 @@ mod values;
 
 use std::collections::BTreeMap;
 
+use super::c::math;
 use super::split::{self, Item};
 use crate::names::Names;
 use crate::program::{Carried, CellKind, Op, Program, Statement, TableId, Type, Value};
@@ -71,7 +72,7 @@ impl<'a> Plan<'a> {
     pub fn new(program: &'a Program) -> Self {
         let mut plan = Self {
             program,
-            names: Names::new(program),
+            names: Names::new(program, math::is_taken),
             functions: split::functions(program),
             crossing: vec![],
             flags: vec![],

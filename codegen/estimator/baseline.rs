@@ -14,7 +14,7 @@ use crate::diagnostic::Diagnostic;
 use crate::estimator::Estimator;
 use crate::numbers::count;
 use crate::plant::Plant;
-use crate::plant::features::{Cannot, Feature, cannot_count};
+use crate::plant::features::{Feature, Limit, POSITIONS};
 use crate::program::Program;
 use crate::sampled::settled::Settled;
 use crate::step::ahead::Ahead;
@@ -62,18 +62,18 @@ pub struct AdaptiveWindow {
     pub period: Settled,
 }
 
-/// Why no baseline can do something that a specification asks for.
-pub fn cannot(feature: Feature, plant: &Plant) -> Option<Cannot> {
-    let (why, instead) = match feature {
-        Feature::Wrap | Feature::Ahead | Feature::Coasted => return None,
-        Feature::Gate => ("it predicts no sample to compare with", "use `pll`, `alpha-beta` or `window`"),
-        Feature::Every => ("it takes one output at every call", "write the time between its samples as `sample_time`"),
-        Feature::Age => ("it takes samples at the calls", "use `window`, which takes samples of any age"),
-        Feature::InitAt => ("it has no state to start from", "use `pll` or `alpha-beta`"),
-        Feature::Counter => return cannot_count(plant),
-    };
-    Some(Cannot { why, instead })
-}
+/// What no baseline can take.
+pub const LIMITS: &[Limit] = &[
+    Limit::new(Feature::Gate, "it predicts no sample to compare with", "use `pll`, `alpha-beta` or `window`"),
+    Limit::new(
+        Feature::Every,
+        "it takes one output at every call",
+        "write the time between its samples as `sample_time`",
+    ),
+    Limit::new(Feature::Age, "it takes samples at the calls", "use `window`, which takes samples of any age"),
+    Limit::new(Feature::InitAt, "it has no state to start from", "use `pll` or `alpha-beta`"),
+    POSITIONS,
+];
 
 impl Baseline {
     /// Calls that the estimate goes back, as far as it does.

@@ -47,7 +47,7 @@ pub mod theorem1;
 use crate::diagnostic::Diagnostic;
 use crate::estimator::Estimator;
 use crate::plant::Plant;
-use crate::plant::features::{Cannot, Feature, cannot_count};
+use crate::plant::features::{Feature, Limit, POSITIONS};
 use crate::program::Program;
 use crate::promise::Certificate;
 use crate::sampled::Signal;
@@ -57,17 +57,15 @@ use crate::step::ahead::Ahead;
 /// Settled entries, row-major; `None` marks a structural zero.
 pub type Grid = Vec<Vec<Option<Settled>>>;
 
-/// Why no corrector can do something that a specification asks for.
-pub fn cannot(feature: Feature, plant: &Plant) -> Option<Cannot> {
-    let (why, instead) = match feature {
-        Feature::Wrap | Feature::Gate | Feature::Every | Feature::Ahead | Feature::Coasted | Feature::InitAt => {
-            return None;
-        }
-        Feature::Age => ("its gains are of samples taken at the calls", "use `window`, which takes samples of any age"),
-        Feature::Counter => return cannot_count(plant),
-    };
-    Some(Cannot { why, instead })
-}
+/// What no method that predicts and corrects can take.
+pub const LIMITS: &[Limit] = &[AGE, POSITIONS];
+
+/// A gain is of a sample taken at a call.
+pub const AGE: Limit = Limit::new(
+    Feature::Age,
+    "its gains are of samples taken at the calls",
+    "use `window`, which takes samples of any age",
+);
 
 /// The nearest way out for a method that needs a sample at every call.
 pub const ONE_RATE: &str =

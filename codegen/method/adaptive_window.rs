@@ -21,7 +21,6 @@ use crate::estimator::baseline::{AdaptiveWindow, Baseline, Law};
 use crate::expr::Constant;
 use crate::numbers::{count, short};
 use crate::plant::Plant;
-use crate::plant::features::{Cannot, Feature};
 use crate::promise::Convergence;
 use crate::real::Precision;
 use crate::sampled::samples::whole_samples;
@@ -38,6 +37,7 @@ pub const METHOD: Method = Method {
         ("longest", "s", "the longest window, a whole number of samples, at most 64"),
     ],
     realizations: &[("search", "every window is fitted and looked at in every call")],
+    limits: crate::estimator::baseline::LIMITS,
     page: include_str!("adaptive-window.md"),
     read,
 };
@@ -67,10 +67,6 @@ fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
 impl Keyed for Keys {
     fn chain(&self) -> Chain {
         Chain { order: Some(2), key: None, instead: "`[observer.window]` takes a plant of your own" }
-    }
-
-    fn cannot(&self, feature: Feature, plant: &Plant) -> Option<Cannot> {
-        crate::estimator::baseline::cannot(feature, plant)
     }
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {

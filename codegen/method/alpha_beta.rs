@@ -18,13 +18,12 @@ use super::constant::{Asked, Outputs, design, refuse};
 use super::{Keyed, Method, between, order};
 use crate::decimal::show;
 use crate::diagnostic::{Diagnostic, codes};
-use crate::estimator::Design;
 use crate::estimator::corrector::exact::Law;
 use crate::estimator::corrector::interval;
+use crate::estimator::{Design, corrector};
 use crate::expr::Constant;
 use crate::numbers::short;
 use crate::plant::Plant;
-use crate::plant::features::{Cannot, Feature};
 use crate::real::{Matrix, Precision, Real};
 use crate::spec::Quantity;
 use crate::spec::reader::Table;
@@ -41,6 +40,7 @@ pub const METHOD: Method = Method {
         ("gamma", "number", "with `order = 3` and `beta`: by h^2, of the acceleration"),
     ],
     realizations: &[("recursive", "the state is carried on from call to call, and corrected")],
+    limits: corrector::LIMITS,
     page: include_str!("alpha-beta.md"),
     read,
 };
@@ -89,10 +89,6 @@ impl Keyed for Keys {
             key: None,
             instead: "`[observer.luenberger]` and `[observer.kalman]` have a constant gain for a plant of your own",
         }
-    }
-
-    fn cannot(&self, feature: Feature, plant: &Plant) -> Option<Cannot> {
-        crate::estimator::corrector::cannot(feature, plant)
     }
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {

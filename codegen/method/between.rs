@@ -47,7 +47,7 @@ pub(super) fn samples(
     found: &mut Vec<Diagnostic>,
 ) -> Option<usize> {
     let every = interval::calls(plant);
-    if calls % every == 0 {
+    if calls.is_multiple_of(every) {
         return Some(calls / every);
     }
     let (output, below) = (&plant.outputs[0], calls - calls % every);

@@ -1,6 +1,6 @@
 //! Methods that count down to a prescribed time: the gain laws of 003 and 004 with their numbers, and what follows.
 //!
-//! [`keys`] reads the table, [`numbers`] evaluates a law; here are the steps, where they end, and what the user should
+//! [`keys`] reads the table, [`numbers`](mod@numbers) evaluates a law; here are the steps, where they end, and what the user should
 //! know of that.
 
 pub mod keys;
@@ -15,7 +15,7 @@ use crate::estimator::corrector::{self, After, Counting, ONE_RATE, interval, law
 use crate::expr::{Constant, List};
 use crate::numbers::count;
 use crate::plant::Plant;
-use crate::plant::features::{Cannot, Feature};
+use crate::plant::features::{Feature, Limit, POSITIONS, When};
 use crate::program::Scalar;
 use crate::real::{Precision, Rational, Real};
 use crate::sampled::samples::whole_samples;
@@ -51,16 +51,17 @@ pub fn start(plant: &mut Plant, initial: Option<&(Vec<Quantity>, Range<usize>)>)
     Ok(())
 }
 
-/// Why a method with a countdown cannot do something that a specification asks for.
-pub fn cannot(feature: Feature, plant: &Plant) -> Option<Cannot> {
-    match feature {
-        Feature::Every if plant.outputs.len() > 1 => Some(Cannot {
-            why: "its countdown waits for a lost sample, and is then out of step with the calls at which the others are due",
-            instead: ONE_RATE,
-        }),
-        _ => corrector::cannot(feature, plant),
-    }
-}
+/// What no countdown can take.
+pub const LIMITS: &[Limit] = &[
+    Limit::new(
+        Feature::Every,
+        "its countdown waits for a lost sample, and is then out of step with the calls at which the others are due",
+        ONE_RATE,
+    )
+    .when(When::Plant("of several outputs", |plant| plant.outputs.len() > 1)),
+    corrector::AGE,
+    POSITIONS,
+];
 
 /// The most states of a countdown: the gains' powers and their exact exponents grow with them.
 const MOST_STATES: usize = 12;

@@ -27,7 +27,6 @@ use crate::estimator::corrector::exact::Law;
 use crate::estimator::corrector::implicit_euler::{Gains, ImplicitEuler, output_map};
 use crate::estimator::corrector::{After, interval};
 use crate::plant::Plant;
-use crate::plant::features::{Cannot, Feature};
 use crate::promise::{Certificate, Convergence, NamedMatrix};
 use crate::real::{Precision, Rational, Real};
 use crate::sampled::model::Model;
@@ -55,6 +54,7 @@ pub const METHOD: Method = Method {
         countdown::INITIAL,
     ],
     realizations: &[("recursive", "the scaled chain is carried on from call to call, and corrected")],
+    limits: countdown::LIMITS,
     page: include_str!("differentiator.md"),
     read,
 };
@@ -101,10 +101,6 @@ impl Keyed for Keys {
     fn observed(&self, mut plant: Plant) -> Result<Plant, Vec<Diagnostic>> {
         countdown::start(&mut plant, self.initial.as_ref())?;
         Ok(plant)
-    }
-
-    fn cannot(&self, feature: Feature, plant: &Plant) -> Option<Cannot> {
-        countdown::cannot(feature, plant)
     }
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {

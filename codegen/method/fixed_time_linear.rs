@@ -18,13 +18,12 @@ use super::prescribed_time::{refuse_delays, refuse_several_outputs};
 use super::window::{constants, refuse_unknowns, resolution_warnings, time_warning, verdict};
 use super::{Keyed, Method, between};
 use crate::diagnostic::{Diagnostic, codes};
-use crate::estimator::Design;
 use crate::estimator::corrector::design::{Promise, Request, build};
 use crate::estimator::corrector::exact::Law;
 use crate::estimator::corrector::{Counting, interval};
+use crate::estimator::{Design, corrector};
 use crate::numbers::{count, short};
 use crate::plant::Plant;
-use crate::plant::features::{Cannot, Feature};
 use crate::promise::{Certificate, Convergence, NamedMatrix};
 use crate::real::{Matrix, Precision, Real, rows};
 use crate::sampled::model::signals;
@@ -37,6 +36,7 @@ pub const METHOD: Method = Method {
     source: "Efimov and Orlov 2024, Z(T); for a chain of integrators backward differences",
     keys: &[order::ORDER, order::PREDICTION],
     realizations: &[("recursive", "the state is carried on from call to call, and corrected")],
+    limits: corrector::LIMITS,
     page: include_str!("fixed-time-linear.md"),
     read,
 };
@@ -55,10 +55,6 @@ fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
 impl Keyed for Keys {
     fn chain(&self) -> Chain {
         Chain { order: self.order.order, key: Some("order"), instead: "leave out `order`" }
-    }
-
-    fn cannot(&self, feature: Feature, plant: &Plant) -> Option<Cannot> {
-        crate::estimator::corrector::cannot(feature, plant)
     }
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {

@@ -20,14 +20,13 @@ use super::poles::{self, Exact, Poles};
 use super::{Keyed, Method};
 use crate::decimal::show;
 use crate::diagnostic::{Diagnostic, codes};
-use crate::estimator::Design;
 use crate::estimator::corrector::exact::Law;
 use crate::estimator::corrector::interval;
 use crate::estimator::corrector::placement::{Pole, polynomial};
+use crate::estimator::{Design, corrector};
 use crate::expr::Constant;
 use crate::numbers::short;
 use crate::plant::Plant;
-use crate::plant::features::{Cannot, Feature};
 use crate::real::{Matrix, Precision, Real};
 use crate::spec::Quantity;
 use crate::spec::reader::Table;
@@ -47,6 +46,7 @@ pub const METHOD: Method = Method {
         ("L", "list", "instead of `poles`: L_1 … L_n, above 0"),
     ],
     realizations: &[("recursive", "the state is carried on from call to call, and corrected")],
+    limits: corrector::LIMITS,
     page: include_str!("high-gain.md"),
     read,
 };
@@ -102,10 +102,6 @@ enum Numbers {
 }
 
 impl Keyed for Keys {
-    fn cannot(&self, feature: Feature, plant: &Plant) -> Option<Cannot> {
-        crate::estimator::corrector::cannot(feature, plant)
-    }
-
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {
         let mut found = refuse(plant, METHOD.name, Outputs::One);
         let gain = plant.constant(&self.gain, &mut found);

@@ -35,7 +35,7 @@ use crate::estimator::copies::{Calls, Form};
 use crate::expr::{Constant, List};
 use crate::numbers::{count, seconds, trimmed};
 use crate::plant::Plant;
-use crate::plant::features::{Cannot, Feature};
+use crate::plant::features::{Feature, Limit};
 use crate::program::Scalar;
 use crate::promise::NamedMatrix;
 use crate::real::{Matrix, Precision};
@@ -44,6 +44,25 @@ use crate::sampled::model::{Between, Model};
 use crate::sampled::samples::refuse_much_work;
 use crate::spec::reader::Table;
 use crate::spec::{Quantity, Rows};
+
+const COPIES: &str = "its two copies are of the outputs themselves, not of differences";
+const CORRECTORS: &str = "use `window`, or a method that predicts and corrects";
+
+const LIMITS: &[Limit] = &[
+    Limit::new(Feature::Wrap, COPIES, CORRECTORS),
+    Limit::new(Feature::Counter, COPIES, CORRECTORS),
+    Limit::new(
+        Feature::Gate,
+        "what a wrong rejection leaves in its two copies until the reset is not known",
+        CORRECTORS,
+    ),
+    Limit::new(Feature::Every, "its calls are counted in its own table", "write `measured_every` there"),
+    Limit::new(
+        Feature::Age,
+        "its resets are of samples taken at the calls",
+        "use `window`, which takes samples of any age",
+    ),
+];
 
 /// The registry's entry.
 pub const METHOD: Method = Method {
@@ -68,6 +87,7 @@ pub const METHOD: Method = Method {
         ("realization", "\"auto\" | \"recursive\"", "how the step computes it"),
     ],
     realizations: &[("recursive", "both copies are carried on from call to call, and reset")],
+    limits: LIMITS,
     page: include_str!("impulsive.md"),
     read,
 };
@@ -124,25 +144,6 @@ const MOST_CALLS: usize = 20_000;
 const DIGITS_LEFT: f64 = 1e2;
 
 impl Keyed for Keys {
-    fn cannot(&self, feature: Feature, _plant: &Plant) -> Option<Cannot> {
-        let (why, instead) = match feature {
-            Feature::Ahead | Feature::InitAt | Feature::Coasted => return None,
-            Feature::Wrap | Feature::Counter => (
-                "its two copies are of the outputs themselves, not of differences",
-                "use `window`, or a method that predicts and corrects",
-            ),
-            Feature::Gate => (
-                "what a wrong rejection leaves in its two copies until the reset is not known",
-                "use `window`, or a method that predicts and corrects",
-            ),
-            Feature::Every => ("its calls are counted in its own table", "write `measured_every` there"),
-            Feature::Age => {
-                ("its resets are of samples taken at the calls", "use `window`, which takes samples of any age")
-            }
-        };
-        Some(Cannot { why, instead })
-    }
-
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {
         let mut found = refuse_unknowns(plant, METHOD.name);
         refuse_delays(plant, &mut found);

@@ -17,12 +17,11 @@ use super::constant::{Asked, Outputs, design, refuse};
 use super::{Keyed, Method, noise};
 use crate::decimal::show;
 use crate::diagnostic::{Diagnostic, codes};
-use crate::estimator::Design;
 use crate::estimator::corrector::exact::{Exact, Law};
 use crate::estimator::corrector::riccati::{Steady, steady};
+use crate::estimator::{Design, corrector};
 use crate::numbers::short;
 use crate::plant::Plant;
-use crate::plant::features::{Cannot, Feature};
 use crate::real::{Matrix, Precision};
 use crate::sampled::model::Model;
 use crate::spec::reader::Table;
@@ -34,6 +33,7 @@ pub const METHOD: Method = Method {
     source: "Kalman 1960; Anderson and Moore 1979, 4.1; noise over a sample by Van Loan 1978",
     keys: &noise::KEYS,
     realizations: &[("recursive", "the state is carried on from call to call, and corrected")],
+    limits: corrector::LIMITS,
     page: include_str!("kalman.md"),
     read,
 };
@@ -54,10 +54,6 @@ fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
 const RESIDUAL: f64 = 1e-30;
 
 impl Keyed for Keys {
-    fn cannot(&self, feature: Feature, plant: &Plant) -> Option<Cannot> {
-        crate::estimator::corrector::cannot(feature, plant)
-    }
-
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {
         let mut found = refuse(plant, METHOD.name, Outputs::Any);
         let rates = rates::Rates::new(plant, &mut found);

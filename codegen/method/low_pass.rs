@@ -20,7 +20,6 @@ use crate::estimator::baseline::{Baseline, Law, LowPass};
 use crate::expr::Constant;
 use crate::numbers::short;
 use crate::plant::Plant;
-use crate::plant::features::{Cannot, Feature};
 use crate::promise::{CONTRACTED, Convergence};
 use crate::real::{Precision, Real};
 use crate::spec::Quantity;
@@ -33,6 +32,7 @@ pub const METHOD: Method = Method {
     source: "shipped by SimpleFOC; v = a v + (1 - a) q, a = T/(T + h)",
     keys: &[("time_constant", "s", "T of the filter; 0 leaves the held difference as it is")],
     realizations: &[("recursive", "the filter is carried on from call to call")],
+    limits: crate::estimator::baseline::LIMITS,
     page: include_str!("low-pass.md"),
     read,
 };
@@ -58,10 +58,6 @@ fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
 impl Keyed for Keys {
     fn chain(&self) -> Chain {
         Chain { order: Some(2), key: None, instead: "`[observer.window]` takes a plant of your own" }
-    }
-
-    fn cannot(&self, feature: Feature, plant: &Plant) -> Option<Cannot> {
-        crate::estimator::baseline::cannot(feature, plant)
     }
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {

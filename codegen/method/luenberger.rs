@@ -16,13 +16,12 @@ use super::poles::{self, Exact, Poles};
 use super::{Keyed, Method};
 use crate::decimal::show;
 use crate::diagnostic::{Diagnostic, codes};
-use crate::estimator::Design;
 use crate::estimator::corrector::exact::Law;
 use crate::estimator::corrector::interval;
 use crate::estimator::corrector::placement::{Failure, Pole, gain, polynomial};
+use crate::estimator::{Design, corrector};
 use crate::numbers::{count, short};
 use crate::plant::Plant;
-use crate::plant::features::{Cannot, Feature};
 use crate::real::{Precision, Undefined};
 use crate::sampled::model::Model;
 use crate::spec::reader::Table;
@@ -34,6 +33,7 @@ pub const METHOD: Method = Method {
     source: "Luenberger 1964; Ackermann's formula for the current form (Franklin, Powell and Workman, 8.2)",
     keys: &[("poles", "rad/s", "as many as states, below 0: numbers, or pairs [re, im] with their conjugates")],
     realizations: &[("recursive", "the state is carried on from call to call, and corrected")],
+    limits: corrector::LIMITS,
     page: include_str!("luenberger.md"),
     read,
 };
@@ -54,10 +54,6 @@ fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
 }
 
 impl Keyed for Keys {
-    fn cannot(&self, feature: Feature, plant: &Plant) -> Option<Cannot> {
-        crate::estimator::corrector::cannot(feature, plant)
-    }
-
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {
         let mut found = refuse(plant, METHOD.name, Outputs::One);
         let poles = self.poles.check(plant, &mut found);

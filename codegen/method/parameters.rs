@@ -34,7 +34,7 @@ use crate::estimator::window::settle::settle;
 use crate::estimator::window::solve::{Choice, Exact};
 use crate::numbers::{seconds, trimmed};
 use crate::plant::Plant;
-use crate::plant::features::{Cannot, Feature};
+use crate::plant::features::{Feature, Limit, When};
 use crate::promise::{Convergence, NamedMatrix};
 use crate::sampled::model::signals;
 use crate::sampled::samples::refuse_much_work;
@@ -45,6 +45,30 @@ use crate::sampled::unknowns::identifiable;
 use crate::spec::Quantity;
 use crate::spec::reader::Table;
 use two_stages::Paper;
+
+const AS_STATES: &str =
+    "the method `window`, with unknowns whose factors are constant as states whose derivative is '0'";
+const EVERY_CALL: &str = "its window takes a sample of every output at every call";
+const STAGES: &str = "with `form = \"paper\"`, where the factor of an unknown varies";
+
+const LIMITS: &[Limit] = &[
+    Limit::new(Feature::InitAt, "its two stages have no model of an unknown whose factor varies", "`form = \"joint\"`")
+        .when(When::Keys(STAGES)),
+    Limit::new(Feature::Wrap, "its regression is of samples, not of their differences", AS_STATES),
+    Limit::new(
+        Feature::Counter,
+        "its regression is of samples in floats",
+        "hand over floats, and write what one count is as `quantum`",
+    ),
+    Limit::new(Feature::Every, EVERY_CALL, AS_STATES),
+    Limit::new(Feature::Age, EVERY_CALL, AS_STATES),
+    Limit::new(
+        Feature::Ahead,
+        "the factor of an unknown varies, and nothing says how it goes on",
+        "leave it out, and carry the estimate on where the factor is known",
+    )
+    .when(When::Plant("where the factor of an unknown varies", |plant| !varying(plant).is_empty())),
+];
 
 /// The registry's entry.
 pub const METHOD: Method = Method {
@@ -70,6 +94,7 @@ pub const METHOD: Method = Method {
         ),
         ("regression", "responses and equations over the stored samples in every call (varying factors)"),
     ],
+    limits: LIMITS,
     page: include_str!("parameters.md"),
     read,
 };
@@ -122,39 +147,16 @@ struct Frame {
 }
 
 impl Keyed for Keys {
+    fn limited(&self, _words: &str, plant: &Plant) -> bool {
+        self.paper.is_some() && !varying(plant).is_empty()
+    }
+
     fn observed(&self, plant: Plant) -> Result<Plant, Vec<Diagnostic>> {
         if plant.unknowns.is_empty() {
             let error = Diagnostic::error(codes::METHOD_CANNOT, plant.span.clone(), "there is no unknown to estimate");
             return Err(vec![error.help("declare it under [unknowns], or use the method `window`")]);
         }
         with_functions(augmented(plant))
-    }
-
-    fn cannot(&self, feature: Feature, plant: &Plant) -> Option<Cannot> {
-        let stages = Cannot {
-            why: "its two stages have no model of an unknown whose factor varies",
-            instead: "`form = \"joint\"`",
-        };
-        match feature {
-            Feature::InitAt if self.paper.is_some() && !varying(plant).is_empty() => Some(stages),
-            Feature::Wrap => Some(Cannot {
-                why: "its regression is of samples, not of their differences",
-                instead: "the method `window`, with unknowns whose factors are constant as states whose derivative is '0'",
-            }),
-            Feature::Counter => Some(Cannot {
-                why: "its regression is of samples in floats",
-                instead: "hand over floats, and write what one count is as `quantum`",
-            }),
-            Feature::Every | Feature::Age => Some(Cannot {
-                why: "its window takes a sample of every output at every call",
-                instead: "the method `window`, with unknowns whose factors are constant as states whose derivative is '0'",
-            }),
-            Feature::Ahead if !varying(plant).is_empty() => Some(Cannot {
-                why: "the factor of an unknown varies, and nothing says how it goes on",
-                instead: "leave it out, and carry the estimate on where the factor is known",
-            }),
-            Feature::Ahead | Feature::Gate | Feature::InitAt | Feature::Coasted => None,
-        }
     }
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {

@@ -16,13 +16,12 @@ use super::constant::{Asked, Outputs, design, refuse};
 use super::{Keyed, Method, between};
 use crate::decimal::show;
 use crate::diagnostic::{Diagnostic, codes};
-use crate::estimator::Design;
 use crate::estimator::corrector::exact::Law;
 use crate::estimator::corrector::interval;
+use crate::estimator::{Design, corrector};
 use crate::expr::Constant;
 use crate::numbers::short;
 use crate::plant::Plant;
-use crate::plant::features::{Cannot, Feature};
 use crate::real::{Matrix, Precision, Real};
 use crate::spec::Quantity;
 use crate::spec::reader::Table;
@@ -34,6 +33,7 @@ pub const METHOD: Method = Method {
     source: "Gardner 2005, chapter 2; sampled as motor drives ship it",
     keys: &[("bandwidth", "rad/s", "b: kp = 2 b, ki = b^2; below half the sampling rate, 1/(2 h)")],
     realizations: &[("recursive", "the state is carried on from call to call, and corrected")],
+    limits: corrector::LIMITS,
     page: include_str!("pll.md"),
     read,
 };
@@ -60,10 +60,6 @@ impl Keyed for Keys {
             key: None,
             instead: "`[observer.luenberger]` and `[observer.kalman]` have a constant gain for a plant of your own",
         }
-    }
-
-    fn cannot(&self, feature: Feature, plant: &Plant) -> Option<Cannot> {
-        crate::estimator::corrector::cannot(feature, plant)
     }
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {

@@ -28,7 +28,6 @@ use crate::estimator::corrector::{After, Counting, interval, law};
 use crate::expr::List;
 use crate::numbers::{count, seconds, short, trimmed};
 use crate::plant::Plant;
-use crate::plant::features::{Cannot, Feature};
 use crate::promise::{Convergence, NamedMatrix};
 use crate::real::{Matrix, Precision, Real};
 use crate::sampled::model::{Model, signals};
@@ -58,6 +57,7 @@ pub const METHOD: Method = Method {
         noise::KEYS[2],
     ],
     realizations: &[("recursive", "the state is carried on from call to call, and corrected")],
+    limits: countdown::LIMITS,
     page: include_str!("prescribed-time.md"),
     read,
 };
@@ -130,10 +130,6 @@ impl Keyed for Keys {
     fn observed(&self, mut plant: Plant) -> Result<Plant, Vec<Diagnostic>> {
         countdown::start(&mut plant, self.initial.as_ref())?;
         Ok(plant)
-    }
-
-    fn cannot(&self, feature: Feature, plant: &Plant) -> Option<Cannot> {
-        countdown::cannot(feature, plant)
     }
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {

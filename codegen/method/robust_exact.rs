@@ -21,14 +21,14 @@ use super::prescribed_time::{refuse_delays, refuse_several_outputs};
 use super::window::{constants, refuse_unknowns, resolution_warnings, time_warning, verdict};
 use super::{Keyed, Method};
 use crate::diagnostic::{Diagnostic, codes};
-use crate::estimator::Design;
 use crate::estimator::corrector::design::{Built, Promise, Request, build, no_chain};
 use crate::estimator::corrector::exact::Law;
 use crate::estimator::corrector::sliding::{Backward, ExactSliding, ORDERS, Sliding};
 use crate::estimator::corrector::{Counting, Frame, Gain, ONE_RATE};
+use crate::estimator::{Design, corrector};
 use crate::expr::Constant;
 use crate::numbers::{count, short};
-use crate::plant::features::{Cannot, Feature};
+use crate::plant::features::{Feature, Limit, POSITIONS};
 use crate::plant::{Disturbance, Plant};
 use crate::promise::{Certificate, Convergence, NamedMatrix};
 use crate::real::Precision;
@@ -36,6 +36,16 @@ use crate::sampled::model::signals;
 use crate::sampled::settled::Settled;
 use crate::spec::Quantity;
 use crate::spec::reader::Table;
+
+const LIMITS: &[Limit] = &[
+    Limit::new(
+        Feature::Every,
+        "what n small innovations in a row prove of its error is proven for an innovation at every call",
+        ONE_RATE,
+    ),
+    corrector::AGE,
+    POSITIONS,
+];
 
 /// The registry's entry.
 pub const METHOD: Method = Method {
@@ -52,6 +62,7 @@ pub const METHOD: Method = Method {
         order::PREDICTION,
     ],
     realizations: &[("recursive", "the state is carried on from call to call, and corrected")],
+    limits: LIMITS,
     page: include_str!("robust-exact.md"),
     read,
 };
@@ -92,16 +103,6 @@ impl Keyed for Keys {
             plant.disturbances.push(Disturbance { label, bound: lipschitz, column: column.collect() });
         }
         Ok(plant)
-    }
-
-    fn cannot(&self, feature: Feature, plant: &Plant) -> Option<Cannot> {
-        match feature {
-            Feature::Every => Some(Cannot {
-                why: "what n small innovations in a row prove of its error is proven for an innovation at every call",
-                instead: ONE_RATE,
-            }),
-            _ => crate::estimator::corrector::cannot(feature, plant),
-        }
     }
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {

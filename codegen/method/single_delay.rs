@@ -40,7 +40,7 @@ use crate::estimator::window::tune::{self, best_k};
 use crate::expr::Constant;
 use crate::numbers::{seconds, short, trimmed};
 use crate::plant::Plant;
-use crate::plant::features::{Cannot, Feature};
+use crate::plant::features::{Feature, Limit, When};
 use crate::real::Precision;
 use crate::sampled::coordinates::Coordinates;
 use crate::sampled::model::{Between, Model, signals_between};
@@ -49,6 +49,36 @@ use crate::spec::Quantity;
 use crate::spec::reader::Table;
 use gaps::{is_linear, with_gaps};
 use plan::{Plan, refuse_gramian, rest};
+
+const CONTINUOUS: &str = "with `form = \"continuous\"`";
+const INTERMITTENT: &str = "with `intermittent`";
+
+const fn irregular(feature: Feature) -> Limit {
+    let (why, instead) = ("measurements come at irregular times", "the method `window`, with NaN for what is missing");
+    Limit::new(feature, why, instead).when(When::Keys(INTERMITTENT))
+}
+
+const LIMITS: &[Limit] = &[
+    Limit::new(
+        Feature::Wrap,
+        "its integrals from samples are no sums of differences",
+        "`form = \"exact\"`, or the method `window`",
+    )
+    .when(When::Keys(CONTINUOUS)),
+    irregular(Feature::Wrap),
+    irregular(Feature::Counter),
+    irregular(Feature::Gate),
+    Limit::new(
+        Feature::Every,
+        "it takes the newest sample and the one a window before",
+        "its key `intermittent`, or the method `window`",
+    ),
+    Limit::new(
+        Feature::Age,
+        "its two samples are a window apart",
+        "the method `window`, which takes samples of any age",
+    ),
+];
 
 /// The registry's entry.
 pub const METHOD: Method = Method {
@@ -65,6 +95,7 @@ pub const METHOD: Method = Method {
         ("realization", REALIZATION_CHOICES, "how the step computes it"),
     ],
     realizations: &REALIZATIONS,
+    limits: LIMITS,
     page: include_str!("single-delay.md"),
     read,
 };
@@ -123,27 +154,10 @@ fn read_intermittent(table: &mut Table) -> Option<Intermittent> {
 }
 
 impl Keyed for Keys {
-    fn cannot(&self, feature: Feature, _plant: &Plant) -> Option<Cannot> {
-        match feature {
-            Feature::Wrap if self.form.0 => Some(Cannot {
-                why: "its integrals from samples are no sums of differences",
-                instead: "`form = \"exact\"`, or the method `window`",
-            }),
-            Feature::Wrap | Feature::Counter | Feature::Gate if self.intermittent.is_some() => Some(Cannot {
-                why: "measurements come at irregular times",
-                instead: "the method `window`, with NaN for what is missing",
-            }),
-            Feature::Wrap | Feature::Counter | Feature::Gate | Feature::Coasted | Feature::Ahead | Feature::InitAt => {
-                None
-            }
-            Feature::Every => Some(Cannot {
-                why: "it takes the newest sample and the one a window before",
-                instead: "its key `intermittent`, or the method `window`",
-            }),
-            Feature::Age => Some(Cannot {
-                why: "its two samples are a window apart",
-                instead: "the method `window`, which takes samples of any age",
-            }),
+    fn limited(&self, words: &str, _plant: &Plant) -> bool {
+        match words {
+            CONTINUOUS => self.form.0,
+            _ => self.intermittent.is_some(),
         }
     }
 

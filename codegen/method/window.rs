@@ -41,7 +41,6 @@ use crate::estimator::window::{Functional, Way};
 use crate::expr::List;
 use crate::numbers::{count, seconds, short, trimmed};
 use crate::plant::Plant;
-use crate::plant::features::{Cannot, Feature};
 use crate::program::Scalar;
 use crate::promise::{Convergence, Fir, NamedMatrix};
 use crate::real::{Matrix, Precision, Real, equilibrated_columns, rank, singular_values};
@@ -74,6 +73,7 @@ pub const METHOD: Method = Method {
         ("realization", REALIZATION_CHOICES, "how the step computes it"),
     ],
     realizations: &REALIZATIONS,
+    limits: left_out::LIMITS,
     page: include_str!("window.md"),
     read,
 };
@@ -124,12 +124,12 @@ pub(super) const VERDICT_BITS: usize = 256;
 const VERDICTS: [usize; 3] = [VERDICT_BITS, 1_024, 4_096];
 
 impl Keyed for Keys {
-    fn observed(&self, plant: Plant) -> Result<Plant, Vec<Diagnostic>> {
-        if self.leaves_out(&plant) { self.counted(plant) } else { Ok(plant) }
+    fn limited(&self, words: &str, plant: &Plant) -> bool {
+        self.leaves_out(plant) && (words == left_out::LEFT_OUT || left_out::late_gate(plant))
     }
 
-    fn cannot(&self, feature: Feature, plant: &Plant) -> Option<Cannot> {
-        if self.leaves_out(plant) { left_out::cannot(feature, plant) } else { None }
+    fn observed(&self, plant: Plant) -> Result<Plant, Vec<Diagnostic>> {
+        if self.leaves_out(&plant) { self.counted(plant) } else { Ok(plant) }
     }
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {

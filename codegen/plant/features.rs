@@ -28,6 +28,10 @@ pub enum Feature {
 }
 
 impl Feature {
+    /// All of them, in the order of lists.
+    pub const ALL: [Self; 8] =
+        [Self::Wrap, Self::Counter, Self::Gate, Self::Every, Self::Age, Self::Ahead, Self::InitAt, Self::Coasted];
+
     /// The key that asks for it.
     pub const fn key(self) -> &'static str {
         match self {
@@ -43,22 +47,66 @@ impl Feature {
     }
 }
 
-/// Why a method cannot do something, and what can.
+/// What a method cannot take, why, and what can.
 #[derive(Clone, Copy, Debug)]
-pub struct Cannot {
-    /// A clause behind "the method `x` cannot take `key`: ".
+pub struct Limit {
+    /// What is asked for.
+    pub feature: Feature,
+    /// For which specifications.
+    pub when: When,
+    /// The reason: a clause behind "the method `x` cannot take `key`: ".
     pub why: &'static str,
     /// The nearest way out.
     pub instead: &'static str,
 }
 
-/// What a plant's specification asks for that its method cannot do.
-pub fn refused(plant: &Plant, method: &str, cannot: impl Fn(Feature) -> Option<Cannot>) -> Vec<Diagnostic> {
+/// For which specifications a limit stands; the words are a clause behind the key.
+#[derive(Clone, Copy, Debug)]
+pub enum When {
+    /// For all.
+    Always,
+    /// For some plants.
+    Plant(&'static str, fn(&Plant) -> bool),
+    /// For some of the method's keys; the method knows which by the words.
+    Keys(&'static str),
+}
+
+impl When {
+    /// The words; none where it is for all.
+    pub const fn words(self) -> Option<&'static str> {
+        match self {
+            Self::Always => None,
+            Self::Plant(words, _) | Self::Keys(words) => Some(words),
+        }
+    }
+}
+
+impl Limit {
+    /// A limit for all specifications.
+    pub const fn new(feature: Feature, why: &'static str, instead: &'static str) -> Self {
+        Self { feature, when: When::Always, why, instead }
+    }
+
+    /// The same for some.
+    #[must_use]
+    pub const fn when(self, when: When) -> Self {
+        Self { when, ..self }
+    }
+}
+
+/// What a plant's specification asks for that its method cannot do; `keys` says whether a limit's words are true of the
+/// method's keys.
+pub fn refused(plant: &Plant, method: &str, limits: &[Limit], keys: impl Fn(&str) -> bool) -> Vec<Diagnostic> {
+    let stands = |limit: &&Limit| match limit.when {
+        When::Always => true,
+        When::Plant(_, holds) => holds(plant),
+        When::Keys(words) => keys(words),
+    };
     let refusal = |(feature, span): (Feature, Range<usize>)| {
-        let cannot = cannot(feature)?;
-        let message = format!("the method `{method}` cannot take `{}`: {}", feature.key(), cannot.why);
+        let limit = limits.iter().filter(|limit| limit.feature == feature).find(stands)?;
+        let message = format!("the method `{method}` cannot take `{}`: {}", feature.key(), limit.why);
         let error = Diagnostic::error(codes::METHOD_CANNOT, span, message);
-        Some(error.context(plant.span.clone(), "the method").help(cannot.instead))
+        Some(error.context(plant.span.clone(), "the method").help(limit.instead))
     };
     asked(plant).into_iter().filter_map(refusal).chain(contradiction(plant)).chain(coasted_twice(plant)).collect()
 }
@@ -96,9 +144,16 @@ fn asked(plant: &Plant) -> Vec<(Feature, Range<usize>)> {
     asked
 }
 
-/// Why a method that works with positions cannot take a counter: singles do not hold every count of 32 bits, but where a
+/// A method that works with positions cannot take every counter: singles do not hold every count of 32 bits, but where a
 /// turn divides them.
-pub fn cannot_count(plant: &Plant) -> Option<Cannot> {
+pub const POSITIONS: Limit = Limit::new(
+    Feature::Counter,
+    "it works with positions, and single precision does not hold every count of 32 bits",
+    "write `wrap`, a power of two of counts, or `scalar = \"f64\"`, or use `window`, which takes differences",
+)
+.when(When::Plant("of 32 bits in f32, unless `wrap` is a power of two of counts", has_coarse_counts));
+
+fn has_coarse_counts(plant: &Plant) -> bool {
     let holds = |output: &Output| {
         let Some(counter) = output.counter else { return true };
         let turn = output.wrap.as_ref().and_then(|wrap| match &output.quantum {
@@ -109,8 +164,5 @@ pub fn cannot_count(plant: &Plant) -> Option<Cannot> {
         let divides = turn.is_some_and(|turn| turn <= 16_777_216.0 && turn.to_bits().trailing_zeros() >= 52);
         plant.scalar == Scalar::F64 || counter.bits == 16 || divides
     };
-    (!plant.outputs.iter().all(holds)).then_some(Cannot {
-        why: "it works with positions, and single precision does not hold every count of 32 bits",
-        instead: "write `wrap`, a power of two of counts, or `scalar = \"f64\"`, or use `window`, which takes differences",
-    })
+    !plant.outputs.iter().all(holds)
 }

@@ -52,6 +52,7 @@ mod sensors {
     mod left_out;
     mod missing;
     mod rates;
+    mod several_rates;
     mod several_rates_kalman;
     mod wrap;
     mod wrap_correctors;
@@ -69,10 +70,12 @@ mod files {
 
 /// How people meet it: the command line, build scripts, macros, messages.
 mod tool {
+    mod builder;
     mod cli;
     mod compare;
     mod diagnostics;
     mod doors;
+    mod features;
     mod readme;
     mod replay;
     mod replay_library;

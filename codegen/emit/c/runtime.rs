@@ -2,25 +2,16 @@
 
 use std::collections::BTreeSet;
 
-use deadbeat_math::c::FRAGMENTS;
-
 use super::super::plan::Plan;
 use super::super::split;
 use super::super::split::Item;
+use super::math;
 use crate::program::{Op, Statement};
 
-/// The fragments that the Program's functions need, in the order in which they may be written,
-/// with the Program's prefix.
+/// The parts that the Program's functions need, in the order in which they may be written, with the
+/// Program's prefix.
 pub fn sources(plan: &Plan) -> Vec<String> {
-    let mut needed = called(plan);
-    // A fragment stands behind those that it requires: one pass from the end finds them all.
-    for fragment in FRAGMENTS.iter().rev() {
-        if needed.contains(fragment.name) {
-            needed.extend(fragment.requires.iter().map(|name| (*name).to_owned()));
-        }
-    }
-    let used = FRAGMENTS.iter().filter(|fragment| needed.contains(fragment.name));
-    used.map(|fragment| plan.names.adopt(fragment.source.trim_end())).collect()
+    math::closure(called(plan)).map(|part| plan.names.adopt(part.text.trim_end())).collect()
 }
 
 /// The names of the functions that the Program calls.
@@ -41,15 +32,15 @@ fn called(plan: &Plan) -> BTreeSet<String> {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use super::math::PARTS;
 
     /// Claim: no name of the runtime's C source becomes a name of the interface.
     #[test]
     fn runtime_leaves_our_names_alone() {
         let own = ["status", "measurements", "inputs", "estimate", "state", "work", "init", "init_at", "step"];
-        for fragment in FRAGMENTS {
+        for part in PARTS {
             let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
-            for word in fragment.source.split(|c| !is_word(c)) {
+            for word in part.text.split(|c| !is_word(c)) {
                 let name = word.strip_prefix("deadbeat_").unwrap_or("");
                 assert!(!own.contains(&name) && !name.starts_with("part_"), "{word}");
             }

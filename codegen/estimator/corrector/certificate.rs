@@ -33,7 +33,7 @@ impl Errors<'_> {
         let kernel = kernel.as_ref();
         let worst = match self.cycle.len() {
             _ if self.is_constant() => self.constant(valid, kernel),
-            1 => self.held(valid, kernel),
+            _ if self.is_held() => self.held(valid, kernel),
             _ => self.cycling(valid, kernel),
         };
         let worst = worst.scaled(SLACK);
@@ -98,41 +98,61 @@ impl Errors<'_> {
         Some(worst)
     }
 
-    /// The worst call from V on, where the gain stays.
+    /// The worst call from V on, where every sample of an output has the same gain from there on.
     fn held(&self, valid: usize, kernel: Option<&Kernel>) -> Sums {
-        let step = self.transition(valid + 1);
         let (at_valid, _) = self.at(valid, valid, kernel);
         let mut worst = at_valid.clone();
         let (mut transition, mut spent, mut exactly) = (self.identity(), 0.0, valid);
         // Exactly, until little is left of what was before V.
         while transition.norm() > SMALL && spent < MOST_WORK {
             exactly += 1;
-            transition *= &step;
+            transition = self.transition(exactly) * transition;
             worst.raise(&self.at(exactly, exactly, kernel).0);
             spent += count(exactly) * self.work();
         }
-        // From there on, what was before V as a bound.
+        for place in 0..self.cycle.len() {
+            let Some(sums) = self.later(place, (valid, &at_valid), exactly, kernel, &mut spent) else {
+                return Sums::infinite(self.plant, self.signals.len());
+            };
+            worst.raise(&sums);
+        }
+        worst
+    }
+
+    /// The worst call beyond those of exact sums, of those at a place of the cycle: what was before V as a bound.
+    fn later(
+        &self,
+        place: usize,
+        (valid, at_valid): (usize, &Sums),
+        exactly: usize,
+        kernel: Option<&Kernel>,
+        spent: &mut f64,
+    ) -> Option<Sums> {
+        let length = self.cycle.len();
         let (mut recent, mut rows) = (Sums::new(self.plant, self.signals.len()), self.back.clone());
         let mut begun = DMatrix::zeros(self.order(), self.signals.len());
-        transition = self.identity();
-        let mut call = valid;
-        while transition.norm() > COMPLETE {
-            call += 1;
-            rows = self.enter(&mut recent, &rows, &mut begun, valid + 1, kernel);
-            transition *= &step;
-            if call > exactly {
+        let mut transition = self.identity();
+        let mut worst = recent.clone();
+        let mut past = 0;
+        while transition.norm() > COMPLETE || past % length != place {
+            // The call that lies so far back, by its place in the first cycle from V on.
+            let call = valid + 1 + (place + length - 1 - past % length) % length;
+            past += 1;
+            rows = self.enter(&mut recent, &rows, &mut begun, call, kernel);
+            transition *= self.transition(call);
+            if valid + past > exactly && past % length == place {
                 let mut all = at_valid.carried(&(&self.back * &transition * &self.to));
                 all.add(&recent);
                 // A signal's value at V also begins the first interval after it.
                 self.finish(&mut all, &rows, &begun, false);
                 worst.raise(&all);
             }
-            spent += self.work();
-            if spent > 2.0 * MOST_WORK {
-                return Sums::infinite(self.plant, self.signals.len());
+            *spent += self.work();
+            if *spent > 2.0 * MOST_WORK {
+                return None;
             }
         }
-        worst
+        Some(worst)
     }
 
     /// The worst call from V on, where the gains go round: the first round exactly, all others from two rounds back.

@@ -261,15 +261,19 @@ impl<'a> Errors<'a> {
 
     /// Whether every sample of an output has the same gain; the cycle goes round from the first call on.
     pub(super) fn is_constant(&self) -> bool {
-        let length = self.cycle.len();
         let turned = self.lead.iter().rev().zip(self.cycle.iter().rev().cycle());
+        turned.into_iter().all(|(lead, cycle)| lead == cycle) && self.is_held()
+    }
+
+    /// Whether that is so after the lead.
+    pub(super) fn is_held(&self) -> bool {
         let column = |o: usize| self.cycle.iter().map(move |gain| gain.column(o));
         let one = |o: usize| {
             let mut due = column(o).filter(|column| column.iter().any(|entry| *entry != 0.0));
             let first = due.next();
             due.all(|other| Some(other) == first)
         };
-        turned.into_iter().all(|(lead, cycle)| lead == cycle) && (length == 1 || (0..self.plant.outputs.len()).all(one))
+        (0..self.plant.outputs.len()).all(one)
     }
 
     /// The weights of the first sample in the state at the start, n x p.

@@ -27,6 +27,7 @@ impl Schedule {
     }
 
     /// Of samples that are due at every so many calls: nothing is corrected between them.
+    #[must_use]
     pub fn between(self, calls: usize, valid: usize) -> Self {
         if calls == 1 {
             return self;
@@ -37,7 +38,7 @@ impl Schedule {
                 Some(gain) => gain,
                 None => &self.cycle[(sample - 1 - self.lead.len()) % self.cycle.len()],
             };
-            if call % calls == 0 { gain.clone() } else { DMatrix::zeros(gain.nrows(), gain.ncols()) }
+            if call.is_multiple_of(calls) { gain.clone() } else { DMatrix::zeros(gain.nrows(), gain.ncols()) }
         };
         let cycle = (valid + 1..=valid + calls * self.cycle.len()).map(of).collect();
         Self { lead: (1..=valid).map(of).collect(), cycle }

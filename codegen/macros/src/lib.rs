@@ -15,7 +15,9 @@ use syn::parse::{ParseStream, Parser as _};
 /// Expands to the observer of a specification: `Measurements`, `Inputs`, `Estimate`, `Observer`.
 ///
 /// The path is relative to the crate's `Cargo.toml`. What the file's `[target]` says can be
-/// overridden behind it. Put it into a module of its own:
+/// overridden behind it. What else a build script's `Build` can say has no place here: an expansion
+/// writes no files, so it has neither folder nor other languages, and each observer wants a module of
+/// its own, so each has a line of its own. Put it into such a module:
 ///
 /// ```ignore
 /// mod motor {

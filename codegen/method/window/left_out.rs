@@ -12,7 +12,7 @@ use crate::estimator::window::settle::settle;
 use crate::estimator::window::solve::Choice;
 use crate::numbers::{count, seconds, short, trimmed};
 use crate::plant::Plant;
-use crate::plant::features::{Cannot, Feature};
+use crate::plant::features::{Feature, Limit, When};
 use crate::promise::Convergence;
 use crate::sampled::Signal;
 use crate::sampled::model::Between;
@@ -32,28 +32,24 @@ pub(super) const WORDS: [(&str, Missing); 2] = [("predicted", Missing::Predicted
 /// The most operations of a step: 10 ms of a processor that does forty million a second.
 const MOST_OPERATIONS: usize = 400_000;
 
-/// What a step that leaves samples out cannot do.
-pub(super) fn cannot(feature: Feature, plant: &Plant) -> Option<Cannot> {
-    let late = || plant.outputs.iter().any(|output| output.delay.is_some() && output.gate.is_some());
-    let (why, instead) = match feature {
-        Feature::Gate if late() => {
-            ("the sample is late, and no prediction of it is kept", "leave out `gate` or `delay`")
-        }
-        Feature::Wrap
-        | Feature::Gate
-        | Feature::Every
-        | Feature::Age
-        | Feature::Coasted
-        | Feature::Ahead
-        | Feature::InitAt => {
-            return None;
-        }
-        Feature::Counter => (
-            "rows of samples that are there are solved in floats",
-            "hand over floats with `quantum` and `wrap`, or leave out `missing`",
-        ),
-    };
-    Some(Cannot { why, instead })
+/// The words of a limit that stands wherever samples are left out.
+pub(super) const LEFT_OUT: &str = "where samples are left out";
+
+/// What the window cannot take where samples are left out.
+pub(super) const LIMITS: &[Limit] = &[
+    Limit::new(Feature::Gate, "the sample is late, and no prediction of it is kept", "leave out `gate` or `delay`")
+        .when(When::Keys("of a late output, where samples are left out")),
+    Limit::new(
+        Feature::Counter,
+        "rows of samples that are there are solved in floats",
+        "hand over floats with `quantum` and `wrap`, or leave out `missing`",
+    )
+    .when(When::Keys(LEFT_OUT)),
+];
+
+/// Whether a late output has a gate.
+pub(super) fn late_gate(plant: &Plant) -> bool {
+    plant.outputs.iter().any(|output| output.delay.is_some() && output.gate.is_some())
 }
 
 impl Keys {

@@ -1,7 +1,7 @@
 //! Elementary functions in integer arithmetic, with the same bits everywhere.
 //!
-//! Every function exists twice, here and in C99 ([`c::FRAGMENTS`]), with the
-//! same operations in the same order. All of them are operations on 32- and
+//! Every function has a twin in C99, which the generator writes into its C
+//! files: the same operations in the same order. All of them are operations on 32- and
 //! 64-bit integers; floating-point numbers are only taken apart and put
 //! together by their bits. So neither contraction, excess precision, rounding
 //! modes, flushing of subnormals nor the absence of a floating-point unit can
@@ -70,7 +70,6 @@
     reason = "the text stays comparable line by line with its C twin"
 )]
 
-pub mod c;
 mod constants;
 pub mod cost;
 mod f32;

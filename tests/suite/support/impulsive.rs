@@ -1,6 +1,7 @@
 //! Random linear plants for the impulsive observer, and what rounding can do to it.
 
 #![allow(dead_code, reason = "each test uses a part of it")]
+#![allow(clippy::cast_precision_loss, reason = "sizes of plants and counts of steps are small")]
 
 use deadbeat_codegen::internals::estimator::copies::{Grid, Impulsive};
 use deadbeat_codegen::internals::sampled::settled::Settled;

@@ -22,7 +22,7 @@ use deadbeat_codegen::{Generator, Settings};
 const CALLS: u32 = 300;
 
 /// The specification that the users have.
-fn motor() -> String {
+pub(super) fn motor() -> String {
     fs::read_to_string(root().join("specs/dc_motor.toml")).expect("a specification of the corpus")
 }
 
@@ -37,7 +37,7 @@ fn wrong_motor() -> (String, usize) {
 /// What every user's program prints: the last estimate of the same samples, as the interpreter has it.
 ///
 /// The samples are quotients of small integers by powers of two: the same in every language.
-fn expected(scalar: Scalar) -> String {
+pub(super) fn expected(scalar: Scalar) -> String {
     let generator = Generator::new(&motor(), "motor.toml").with(Settings { scalar: Some(scalar) });
     let program = generator.design().unwrap_or_else(|report| panic!("{}", report.render(false))).program;
     let mut interpreter = Interpreter::new(&program);
@@ -57,7 +57,7 @@ fn expected(scalar: Scalar) -> String {
 }
 
 /// A Rust main function that drives an observer of `module` through the trait.
-fn rust_main(modules: &str, calls: &str) -> String {
+pub(super) fn rust_main(modules: &str, calls: &str) -> String {
     format!(
         "#![deny(warnings)] // of unused items too, in modules that nobody exports
 {modules}
@@ -78,7 +78,7 @@ fn main() {{
 }
 
 /// The statements that replay one module's observer and print its last estimate.
-fn rust_call(module: &str, scalar: &str) -> String {
+pub(super) fn rust_call(module: &str, scalar: &str) -> String {
     format!(
         "    let estimate = replay({module}::Observer::new(), |call| {{
         let y = (f64::from(call * 37 % 101) / 1024.0) as {scalar};
