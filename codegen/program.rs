@@ -3,8 +3,7 @@
 //! Knows typed scalar operations and their order. Never knows a matrix, a plant, a method or a language.
 //!
 //! In: constants that a design has rounded once. Out: the only thing that the emitters, the
-//! interpreter and the cost count read. A Program knows no matrix, no plant, no method, and no
-//! language; every order of additions is written here, so that every back end keeps it.
+//! interpreter and the cost count read. Every order of additions is written here, so that every back end keeps it.
 //!
 //! Invariants, all verified by [`check`](check::check):
 //! - every value is defined once, before its uses, and used with its own type;

@@ -2,12 +2,13 @@
 //! it. What is not in it is not refused.
 
 use std::fs;
+use std::process::Command;
 
 use deadbeat_codegen::internals::method::matrix::{self, Cell};
 use deadbeat_codegen::internals::plant::features::{Feature, Limit, When};
 use deadbeat_codegen::{Generator, METHODS};
 
-use crate::support::corpus::root;
+use crate::support::corpus::{root, succeed};
 use crate::support::plant::corpus;
 use crate::support::truths::names_of;
 
@@ -91,12 +92,21 @@ fn a_refusal_says_what_the_matrix_says() {
     assert!(refused > 20 && taken > 100, "{refused} refused, {taken} taken");
 }
 
-/// `deadbeat list` has a line for each method, and its page each reason.
+/// `deadbeat list` prints the matrix, a method's page each of its reasons, and its JSON the same.
 #[test]
-fn the_list_has_every_method() {
-    let text = matrix::text();
+fn the_list_says_what_stands_against_a_feature() {
+    let list = |arguments: &[&str]| succeed(Command::new(env!("CARGO_BIN_EXE_deadbeat")).arg("list").args(arguments));
+    assert!(list(&[]).contains(&matrix::text()), "the matrix is in the list");
     for method in METHODS {
-        assert!(text.lines().any(|line| line.trim_start().starts_with(method.name)), "{}", method.name);
-        assert_eq!(method.limits().len(), method.limits.len());
+        let (page, json) = (list(&[method.name]), list(&[method.name, "--format", "json"]));
+        let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+        let whys: Vec<&str> =
+            json["cannot"].as_array().expect("a list").iter().filter_map(|limit| limit["why"].as_str()).collect();
+        assert_eq!(whys, method.limits.iter().map(|limit| limit.why).collect::<Vec<_>>(), "{}", method.name);
+        for limit in method.limits {
+            let reason = format!("{}; {}", limit.why, limit.instead);
+            let said = page.lines().any(|line| line.contains(limit.feature.key()) && line.ends_with(&reason));
+            assert!(said, "{}: `{}`\n{page}", method.name, limit.feature.key());
+        }
     }
 }
