@@ -259,6 +259,13 @@ pub enum Op {
         /// 16 or 32.
         bits: u8,
     },
+    /// Index: what is left of an index when it is divided by a number.
+    Remainder {
+        /// Index.
+        value: Value,
+        /// At least 1.
+        modulus: u32,
+    },
     /// Float: a field of the measurements, of kind [`Kind::Float`].
     Measurement(u16),
     /// Index: a field of the measurements, of kind [`Kind::Count`], extended to 32 bits: by its sign if it has one.

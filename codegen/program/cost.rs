@@ -109,6 +109,7 @@ impl Cost {
             | Op::AtMost { .. }
             | Op::WrapAdd(..)
             | Op::Difference { .. }
+            | Op::Remainder { .. }
             | Op::ToFloat(_)
             | Op::SignedToFloat(_)
             | Op::FromFloat(_) => &mut self.index_operations,

@@ -70,6 +70,7 @@ impl C<'_> {
             Op::AtMost { value, max } => {
                 bounded(&v(value), *max, |value, max| format!("({value} < {max}U) ? {value} : {max}U"))
             }
+            Op::Remainder { value, modulus } => format!("{} % {modulus}U", v(value)),
             Op::ToFloat(index) => format!("({}){}", self.scalar(), v(index)),
             Op::SignedToFloat(index) => {
                 let (scalar, index) = (self.scalar(), v(index));

@@ -81,6 +81,7 @@ impl<'a> Plan<'a> {
             | Op::FromFloat(_)
             | Op::WrapAdd(..)
             | Op::Difference { .. }
+            | Op::Remainder { .. }
             | Op::Count(_) => Type::Index,
             Op::Cell(cell) | Op::Ring { ring: cell, .. } => match self.program.cells[usize::from(cell.0)].kind {
                 CellKind::Index { .. } | CellKind::Counts { .. } => Type::Index,

@@ -73,6 +73,7 @@ fn bound(op: &Op) -> Option<u32> {
         Op::Index(number) => Some(number),
         Op::Advance { len, .. } | Op::Retreat { len, .. } => Some(len - 1),
         Op::CountUp { max, .. } | Op::AtMost { max, .. } => Some(max),
+        Op::Remainder { modulus, .. } => modulus.checked_sub(1),
         _ => None,
     }
 }

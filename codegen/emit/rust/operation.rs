@@ -62,6 +62,7 @@ impl Rust<'_> {
             Op::CountUp { count, max } => self.count_up(*count, *max),
             Op::CountDown(count) => self.count_down(*count),
             Op::AtMost { value, max } => self.at_most(*value, *max),
+            Op::Remainder { value, modulus } => self.remainder(*value, *modulus),
             Op::ToFloat(index) => self.to_float(*index),
             Op::SignedToFloat(index) => self.math(&format!("{}_from_signed", self.plan.program.scalar), &[*index]),
             Op::FromFloat(x) => self.math(&format!("index_from_{}", self.plan.program.scalar), &[*x]),
@@ -189,6 +190,12 @@ impl Rust<'_> {
     /// The smaller of the two.
     fn at_most(&self, value: Value, max: u32) -> TokenStream {
         self.bounded(value, max, |value, max| quote!(#value.min(#max)))
+    }
+
+    /// What is left of a division.
+    fn remainder(&self, value: Value, modulus: u32) -> TokenStream {
+        let (value, modulus) = (self.value(value), constant::index(modulus));
+        quote!(#value % #modulus)
     }
 
     /// A form with a bound; a bound of 0 leaves nothing to decide, and a comparison with it would

@@ -4,7 +4,9 @@
 //! Deliberately absent: `x + 0` (it loses the sign of a zero), `0 * x` (it loses NaN), any
 //! reassociation, any division turned into a product.
 
-use super::super::interp::arithmetic::{Number, advance, at_most, count_down, count_up, difference, retreat};
+use super::super::interp::arithmetic::{
+    Number, advance, at_most, count_down, count_up, difference, remainder, retreat,
+};
 use super::super::{Op, Scalar, Value};
 
 /// What an operation turned out to be.
@@ -43,7 +45,8 @@ fn by_form<'a>(op: &Op, known: &impl Fn(Value) -> Option<&'a Op>) -> Option<Op> 
         Op::Advance { len: 1, .. }
         | Op::Retreat { len: 1, .. }
         | Op::CountUp { max: 0, .. }
-        | Op::AtMost { max: 0, .. } => Some(Op::Index(0)),
+        | Op::AtMost { max: 0, .. }
+        | Op::Remainder { modulus: 1, .. } => Some(Op::Index(0)),
         _ => None,
     }
 }
@@ -111,6 +114,7 @@ fn index(op: &Op, operands: &[&Op]) -> Option<Op> {
         (Op::Difference { bits, .. }, [Op::Index(a), Op::Index(b)]) => {
             Some(Op::Index(difference(*a, *b, (*bits).into())))
         }
+        (Op::Remainder { modulus, .. }, [Op::Index(a)]) if *modulus > 0 => Some(Op::Index(remainder(*a, *modulus))),
         (Op::AtMost { max, .. }, [Op::Index(a)]) => Some(Op::Index(at_most(*a, *max))),
         _ => None,
     }

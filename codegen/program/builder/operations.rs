@@ -149,6 +149,11 @@ impl Builder {
         self.push(Op::Difference { a, b, bits })
     }
 
+    /// What is left of an index when it is divided by a number.
+    pub fn remainder(&mut self, value: Value, modulus: u32) -> Value {
+        self.push(Op::Remainder { value, modulus })
+    }
+
     /// A measurement that is a count.
     pub fn read_count(&mut self, field: u16) -> Value {
         self.push(Op::Count(field))

@@ -98,7 +98,8 @@ impl Shared {
             | Op::Advance { len: number, .. }
             | Op::Retreat { len: number, .. }
             | Op::CountUp { max: number, .. }
-            | Op::AtMost { max: number, .. } => [u64::from(number), 0],
+            | Op::AtMost { max: number, .. }
+            | Op::Remainder { modulus: number, .. } => [u64::from(number), 0],
             Op::Measurement(field) | Op::Count(field) | Op::Input(field) | Op::Given(field) => [u64::from(field), 0],
             Op::Difference { bits, .. } => [u64::from(bits), 0],
             Op::Cell(cell) | Op::Ring { ring: cell, .. } => at(cell),

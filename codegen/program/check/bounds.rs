@@ -76,6 +76,7 @@ impl Bounds<'_> {
             Op::Index(number) => number,
             Op::Advance { len, .. } | Op::Retreat { len, .. } => len - 1,
             Op::CountUp { max, .. } => max,
+            Op::Remainder { modulus, .. } => modulus.saturating_sub(1),
             Op::AtMost { value, max } => self.of(value).min(max),
             Op::CountDown(value) => self.of(value),
             Op::Select { then, otherwise, .. } => self.of(then).max(self.of(otherwise)),

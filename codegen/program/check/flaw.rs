@@ -106,6 +106,8 @@ pub enum Flaw {
     },
     /// A ring without a slot.
     EmptyRing,
+    /// A division by zero.
+    NoModulus,
     /// A table without a row or without a column.
     EmptyTable,
     /// A row of a table is shorter or longer than its list of columns.
@@ -157,6 +159,7 @@ impl fmt::Display for Flaw {
             Self::OutOfBounds { value, at_most, len } => {
                 write!(f, "{value} may be {at_most}, which is not below {len}")
             }
+            Self::NoModulus => write!(f, "nothing is left of a division by zero"),
             Self::EmptyRing => write!(f, "a ring has at least one slot"),
             Self::EmptyTable => write!(f, "a table has at least one row and one column"),
             Self::RaggedRow(row) => write!(f, "row {row} does not have one element per column"),

@@ -34,6 +34,7 @@ impl Op {
             | Self::Retreat { slot: a, .. }
             | Self::CountUp { count: a, .. }
             | Self::AtMost { value: a, .. }
+            | Self::Remainder { value: a, .. }
             | Self::Ring { slot: a, .. }
             | Self::Lookup { row: a, .. } => vec![a],
             Self::Add(a, b)

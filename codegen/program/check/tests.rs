@@ -206,6 +206,7 @@ fn ends_of_rings_and_tables() {
     assert_eq!(flaw(|p| p.body.push(set)), beyond(u32::MAX));
     assert_eq!(flaw_of(Op::Advance { slot: index, len: 0 }), Flaw::EmptyRing);
     assert_eq!(flaw_of(Op::Retreat { slot: index, len: 0 }), Flaw::EmptyRing);
+    assert_eq!(flaw_of(Op::Remainder { value: index, modulus: 0 }), Flaw::NoModulus);
 }
 
 /// The flaw of reading the ring of three slots at the result of `ops`, the first of which is `t100`.
@@ -241,6 +242,8 @@ fn bounds_of_operations() {
     assert_eq!(after(Op::CountUp { count: t100, max: 2 }), None);
     assert_eq!(after(Op::CountUp { count: t100, max: 3 }), Some(3));
     assert_eq!(after(Op::AtMost { value: t100, max: 2 }), None);
+    assert_eq!(after(Op::Remainder { value: t100, modulus: 3 }), None);
+    assert_eq!(after(Op::Remainder { value: t100, modulus: 4 }), Some(3));
     assert_eq!(after(Op::AtMost { value: t100, max: 5 }), Some(5));
     assert_eq!(after(Op::CountDown(t100)), Some(u32::MAX));
     assert_eq!(bound([Op::Index(2), Op::AtMost { value: t100, max: 5 }]), None);

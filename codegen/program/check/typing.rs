@@ -87,6 +87,7 @@ impl<'a> Context<'a> {
             | Op::AtMost { .. }
             | Op::WrapAdd(..)
             | Op::Difference { .. }
+            | Op::Remainder { .. }
             | Op::Count(_) => (Type::Index, Type::Index),
             Op::IndexLess(..) | Op::IndexEqual(..) => (Type::Index, Type::Bool),
             Op::ToFloat(_) | Op::SignedToFloat(_) | Op::Lookup { .. } => (Type::Index, Type::Float),
@@ -109,6 +110,7 @@ impl<'a> Context<'a> {
                 Err(Flaw::Arity { function, given: arguments.len() })
             }
             Op::Advance { len: 0, .. } | Op::Retreat { len: 0, .. } => Err(Flaw::EmptyRing),
+            Op::Remainder { modulus: 0, .. } => Err(Flaw::NoModulus),
             Op::Given(_) | Op::Vouched if !self.starting => Err(Flaw::NotAStart),
             Op::Measurement(_) | Op::Count(_) | Op::Input(_) if self.starting => Err(Flaw::NoSample),
             Op::Given(at) => match self.estimates.get(usize::from(at)) {

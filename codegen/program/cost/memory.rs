@@ -103,6 +103,7 @@ fn operation(op: &Op, scalar: Scalar) -> u64 {
         | Op::CountDown(_)
         | Op::AtMost { .. }
         | Op::Difference { .. }
+        | Op::Remainder { .. }
         | Op::SignedToFloat(_) => 3 * MOVE,
         Op::InRange { .. } => 4 * MOVE + 2 * constant,
     }

@@ -137,6 +137,11 @@ pub(in super::super) const fn at_most(value: u32, max: u32) -> u32 {
     if value < max { value } else { max }
 }
 
+/// [`Op::Remainder`](super::super::Op::Remainder).
+pub(in super::super) const fn remainder(value: u32, modulus: u32) -> u32 {
+    value % modulus
+}
+
 /// [`Op::Difference`](super::super::Op::Difference).
 pub(in super::super) const fn difference(a: u32, b: u32, bits: u32) -> u32 {
     let above = 32 - bits;

@@ -5,7 +5,7 @@
 
 use super::super::Function;
 use super::allocate::Run;
-use super::arithmetic::{Number, advance, at_most, count_down, count_up, difference, retreat};
+use super::arithmetic::{Number, advance, at_most, count_down, count_up, difference, remainder, retreat};
 use super::instruction::Opcode;
 
 /// How many registers a file has.
@@ -80,6 +80,7 @@ impl<F: Number> Memory<F> {
             Opcode::CountUp => each(run, |[d, a, b, _]| w[d] = count_up(w[a], w[b])),
             Opcode::CountDown => each(run, |[d, a, ..]| w[d] = count_down(w[a])),
             Opcode::AtMost => each(run, |[d, a, b, _]| w[d] = at_most(w[a], w[b])),
+            Opcode::Remainder => each(run, |[d, a, b, _]| w[d] = remainder(w[a], w[b])),
             Opcode::ToFloat => each(run, |[d, a, ..]| f[d] = F::from_index(w[a])),
             Opcode::SignedToFloat => each(run, |[d, a, ..]| f[d] = F::from_signed(w[a])),
             Opcode::FromFloat => each(run, |[d, a, ..]| w[d] = f[a].to_signed()),

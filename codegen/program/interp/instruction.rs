@@ -66,6 +66,8 @@ pub(super) enum Opcode {
     CountDown,
     /// The smaller of `a` and `b`.
     AtMost,
+    /// What is left of `a` divided by `b`.
+    Remainder,
     /// `d = a as float`.
     ToFloat,
     /// `d = a as signed as float`.

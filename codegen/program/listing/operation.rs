@@ -35,6 +35,7 @@ pub(super) fn text(op: &Op, program: &Program) -> String {
         Op::CountUp { count, max } => format!("count_up({count}, {max})"),
         Op::CountDown(count) => format!("count_down({count})"),
         Op::AtMost { value, max } => format!("at_most({value}, {max})"),
+        Op::Remainder { value, modulus } => format!("{value} % {modulus}"),
         Op::ToFloat(index) => format!("float({index})"),
         Op::SignedToFloat(index) => format!("float(signed {index})"),
         Op::FromFloat(x) => format!("integer({x})"),

@@ -191,6 +191,7 @@ impl<'a> Reference<'a> {
                 count => count - 1,
             },
             Op::AtMost { value, max } => self.index(value).min(max),
+            Op::Remainder { value, modulus } => self.index(value) - self.index(value) / modulus * modulus,
             Op::WrapAdd(a, b) => modulo(i64::from(self.index(a)) + i64::from(self.index(b)), 32),
             Op::Difference { a, b, bits } => {
                 let difference = modulo(i64::from(self.index(a)) - i64::from(self.index(b)), bits);
@@ -367,6 +368,7 @@ fn seeds_cover_every_operation() {
         "ToFloat",
         "SignedToFloat",
         "FromFloat",
+        "Remainder",
         "WrapAdd",
         "Difference",
         "Measurement",

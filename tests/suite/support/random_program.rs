@@ -436,7 +436,11 @@ impl Writer {
                 self.b.from_float(float)
             }
             6 => self.b.wrap_add(a, b),
-            7 | 8 => {
+            8 => {
+                let modulus = self.random.pick(&[1, 2, 3, 2_156, 40_000, u32::MAX]);
+                self.b.remainder(a, modulus)
+            }
+            7 => {
                 let bits = self.random.pick(&[16, 32]);
                 self.b.wrap_difference(a, b, bits)
             }

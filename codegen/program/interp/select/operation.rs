@@ -68,6 +68,7 @@ impl Selection<'_> {
             Op::Retreat { len, .. } => self.limited(value, Opcode::Retreat, op, *len),
             Op::CountUp { max, .. } => self.limited(value, Opcode::CountUp, op, *max),
             Op::AtMost { max, .. } => self.limited(value, Opcode::AtMost, op, *max),
+            Op::Remainder { modulus, .. } => self.limited(value, Opcode::Remainder, op, *modulus),
             Op::CountDown(_) => self.plain(value, Class::Word, Opcode::CountDown, op, &[]),
             Op::ToFloat(_) => self.plain(value, Class::Float, Opcode::ToFloat, op, &[]),
             Op::SignedToFloat(_) => self.plain(value, Class::Float, Opcode::SignedToFloat, op, &[]),
