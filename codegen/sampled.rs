@@ -11,5 +11,6 @@ pub mod settle;
 pub mod settled;
 pub mod signal;
 pub mod unknowns;
+pub mod weights;
 
 pub use signal::{Part, Signal, Source};

@@ -35,7 +35,7 @@ use crate::estimator::copies::{Calls, Form};
 use crate::expr::{Constant, List};
 use crate::numbers::{count, seconds, trimmed};
 use crate::plant::Plant;
-use crate::plant::features::{Feature, Limit};
+use crate::plant::features::{Feature, Limit, POSITIONS};
 use crate::program::Scalar;
 use crate::promise::NamedMatrix;
 use crate::real::{Matrix, Precision};
@@ -45,17 +45,8 @@ use crate::sampled::samples::refuse_much_work;
 use crate::spec::reader::Table;
 use crate::spec::{Quantity, Rows};
 
-const COPIES: &str = "its two copies are of the outputs themselves, not of differences";
-const CORRECTORS: &str = "use `window`, or a method that predicts and corrects";
-
 const LIMITS: &[Limit] = &[
-    Limit::new(Feature::Wrap, COPIES, CORRECTORS),
-    Limit::new(Feature::Counter, COPIES, CORRECTORS),
-    Limit::new(
-        Feature::Gate,
-        "what a wrong rejection leaves in its two copies until the reset is not known",
-        CORRECTORS,
-    ),
+    POSITIONS,
     Limit::new(Feature::Every, "its calls are counted in its own table", "write `measured_every` there"),
     Limit::new(
         Feature::Age,

@@ -34,7 +34,7 @@ use crate::estimator::window::settle::settle;
 use crate::estimator::window::solve::{Choice, Exact};
 use crate::numbers::{seconds, trimmed};
 use crate::plant::Plant;
-use crate::plant::features::{Feature, Limit, When};
+use crate::plant::features::{Feature, Limit, POSITIONS, When};
 use crate::promise::{Convergence, NamedMatrix};
 use crate::sampled::model::signals;
 use crate::sampled::samples::refuse_much_work;
@@ -54,12 +54,7 @@ const STAGES: &str = "with `form = \"paper\"`, where the factor of an unknown va
 const LIMITS: &[Limit] = &[
     Limit::new(Feature::InitAt, "its two stages have no model of an unknown whose factor varies", "`form = \"joint\"`")
         .when(When::Keys(STAGES)),
-    Limit::new(Feature::Wrap, "its regression is of samples, not of their differences", AS_STATES),
-    Limit::new(
-        Feature::Counter,
-        "its regression is of samples in floats",
-        "hand over floats, and write what one count is as `quantum`",
-    ),
+    POSITIONS,
     Limit::new(Feature::Every, EVERY_CALL, AS_STATES),
     Limit::new(Feature::Age, EVERY_CALL, AS_STATES),
     Limit::new(

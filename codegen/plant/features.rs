@@ -144,14 +144,14 @@ fn asked(plant: &Plant) -> Vec<(Feature, Range<usize>)> {
     asked
 }
 
-/// A method that works with positions cannot take every counter: singles do not hold every count of 32 bits, but where a
-/// turn divides them.
+/// A method that works with positions cannot take every counter: singles do not hold every count of 32 bits, only those
+/// within a turn, which integers find.
 pub const POSITIONS: Limit = Limit::new(
     Feature::Counter,
     "it works with positions, and single precision does not hold every count of 32 bits",
-    "write `wrap`, a power of two of counts, or `scalar = \"f64\"`, or use `window`, which takes differences",
+    "write `wrap`, a turn of at most 2^24 counts, or `scalar = \"f64\"`, or use `window`, which takes differences",
 )
-.when(When::Plant("of 32 bits in f32, unless `wrap` is a power of two of counts", has_coarse_counts));
+.when(When::Plant("of 32 bits in f32, unless `wrap` is a turn of at most 2^24 counts", has_coarse_counts));
 
 fn has_coarse_counts(plant: &Plant) -> bool {
     let holds = |output: &Output| {
@@ -160,9 +160,10 @@ fn has_coarse_counts(plant: &Plant) -> bool {
             Some(quantum) => wrap.turn.over(quantum).ok()?.to_f64().ok(),
             None => wrap.turn.to_f64().ok(),
         });
-        // A power of two below 2^24 counts.
-        let divides = turn.is_some_and(|turn| turn <= 16_777_216.0 && turn.to_bits().trailing_zeros() >= 52);
-        plant.scalar == Scalar::F64 || counter.bits == 16 || divides
+        // Below, a single is every count of a turn; inputs are taken out of floats.
+        let turns =
+            turn.is_some_and(|turn| turn <= 16_777_216.0) && output.feedthrough.iter().all(|factor| factor.is_zero());
+        plant.scalar == Scalar::F64 || counter.bits == 16 || turns
     };
     !plant.outputs.iter().all(holds)
 }

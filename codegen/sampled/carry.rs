@@ -2,14 +2,15 @@
 
 use crate::diagnostic::Diagnostic;
 use crate::plant::Plant;
+use crate::program::Value;
 use crate::program::builder::Builder;
-use crate::program::{Scalar, Value};
 use crate::real::{Matrix, Precision, Real};
 
 use super::Signal;
 use super::model::{Effect, Model};
 use super::settle::{Pass, rising};
 use super::settled::Settled;
+use super::weights;
 
 /// Settled entries; `None` marks a structural zero.
 type Column = Vec<Option<Settled>>;
@@ -85,13 +86,7 @@ impl Carry {
     }
 
     /// The state one call later. What overflows is for the caller to see: nothing is stored here.
-    pub(crate) fn next(
-        &self,
-        b: &mut Builder,
-        scalar: Scalar,
-        state: &[Value],
-        (begin, end): (&[Value], &[Value]),
-    ) -> Vec<Value> {
+    pub(crate) fn next(&self, b: &mut Builder, state: &[Value], (begin, end): (&[Value], &[Value])) -> Vec<Value> {
         let values: Vec<Value> = (self.factors.iter())
             .map(|factor| {
                 let unit = b.float(factor.unit);
@@ -102,12 +97,12 @@ impl Carry {
         for (i, row) in self.phi.iter().enumerate() {
             let known = self.begin.iter().zip(begin).chain(self.end.iter().zip(end));
             let all = row.iter().zip(state).chain(known.map(|(column, value)| (&column[i], value)));
-            let mut terms = products(b, scalar, all);
-            terms.extend(self.constant[i].map(|constant| b.float(constant.value(scalar))));
+            let mut terms = weights::terms(b, all);
+            terms.extend(self.constant[i].map(|entry| weights::constant(b, entry)));
             for (factor, value) in self.factors.iter().zip(&values) {
                 let known = factor.begin.iter().zip(begin).chain(factor.end.iter().zip(end));
-                let mut shares = products(b, scalar, known.map(|(column, value)| (&column[i], value)));
-                shares.extend(factor.constant[i].map(|constant| b.float(constant.value(scalar))));
+                let mut shares = weights::terms(b, known.map(|(column, value)| (&column[i], value)));
+                shares.extend(factor.constant[i].map(|entry| weights::constant(b, entry)));
                 if !shares.is_empty() {
                     let share = b.sum(&shares);
                     terms.push(b.mul(*value, share));
@@ -117,20 +112,4 @@ impl Carry {
         }
         next
     }
-}
-
-/// Weights times values, of those that there are.
-fn products<'a>(
-    b: &mut Builder,
-    scalar: Scalar,
-    all: impl Iterator<Item = (&'a Option<Settled>, &'a Value)>,
-) -> Vec<Value> {
-    let mut products = Vec::new();
-    for (weight, value) in all {
-        if let Some(weight) = weight {
-            let weight = b.float(weight.value(scalar));
-            products.push(b.mul(weight, *value));
-        }
-    }
-    products
 }

@@ -22,7 +22,13 @@ pub(crate) fn measurement(output: &Output) -> Field {
 /// A measured output, and whether it may be used: finite, within its range. `range` is what `C x` may be.
 ///
 /// Inputs are still in it: [`without_inputs`] follows when they are known.
-pub(crate) fn read(b: &mut Builder, plant: &Plant, output: usize, range: (f64, f64)) -> (Value, Value) {
+pub(crate) fn read(
+    b: &mut Builder,
+    plant: &Plant,
+    output: usize,
+    counter: Option<Counts>,
+    range: (f64, f64),
+) -> (Value, Value) {
     let (sensor, scalar) = (&plant.outputs[output], plant.scalar);
     let sample = sample(b, sensor, output, scalar);
     let bare = sensor.raw_range.is_none() && sensor.wrap.is_none() && !has_inputs(sensor);
@@ -45,7 +51,7 @@ pub(crate) fn read(b: &mut Builder, plant: &Plant, output: usize, range: (f64, f
     } else {
         b.in_range(sample, low, high)
     };
-    if let Some(counts) = Counts::of(plant, sensor) {
+    if let Some(counts) = counter {
         let count = b.read_count(place(output));
         return (counts.place(b, count), good);
     }

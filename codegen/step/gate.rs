@@ -29,8 +29,8 @@ pub(crate) struct Look<'a> {
     pub(crate) distance: Value,
     /// Whether the estimate that foretells it has converged.
     pub(crate) known: Value,
-    /// Whether the prediction is one that a sample could be, where that is asked for.
-    pub(crate) usable: Option<Value>,
+    /// Whether the prediction is one that a sample could be.
+    pub(crate) usable: Value,
 }
 
 impl Look<'_> {
@@ -41,7 +41,7 @@ impl Look<'_> {
         let limit = self.gate.limit.unwrap_or(self.patience).max(1);
         let near = b.in_range(self.distance, -size, size);
         let far = b.not(near);
-        let far = self.usable.map_or(far, |usable| b.and(usable, far));
+        let far = b.and(self.usable, far);
         let doubted = b.and(self.known, far);
         let doubted = b.and(good, doubted);
         let (before, last, none) = (b.read(self.rejected), b.index(limit - 1), b.index(0));

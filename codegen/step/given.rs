@@ -6,11 +6,13 @@
 use crate::plant::Plant;
 use crate::program::builder::Builder;
 use crate::program::{CellId, Value, place};
+use crate::sampled::Source;
 use crate::sampled::settled::round;
 
 use super::front;
-use super::injections::{Injections, Moment, Samples, initial_output};
+use super::injections::{Moment, Samples, initial_output};
 use super::logic::all;
+use super::sensors::Sensors;
 
 /// How long a given state is what is known: a cell that is 0, or 1 while it is, or 2 where the caller vouched for it.
 #[derive(Clone, Copy)]
@@ -82,7 +84,7 @@ pub(crate) fn turned_back(b: &mut Builder, plant: &Plant, mut state: Vec<Value>)
 }
 
 /// What an output shows of a state, within its range; else what it shows of the initial one.
-pub(crate) fn shown(b: &mut Builder, plant: &Plant, state: &[Value], output: usize, range: (f64, f64)) -> Value {
+fn shown(b: &mut Builder, plant: &Plant, state: &[Value], output: usize, range: (f64, f64)) -> Value {
     let shown = sum(b, plant, state, output);
     let good = b.in_range(shown, range.0, range.1);
     let initial = b.float(initial_output(plant, output, plant.scalar));
@@ -105,22 +107,30 @@ pub(crate) fn within(b: &mut Builder, value: Value, bound: f64) -> Value {
     b.select(sane, value, zero)
 }
 
-/// The nonlinear terms as they are before the first call, from what a given state shows; inputs are zero.
-pub(crate) fn terms<'a>(b: &mut Builder, plant: &'a Plant, calls: CellId) -> Injections<'a> {
-    let zeros = plant.inputs.iter().map(|_| b.float(0.0)).collect();
-    Injections::new(plant, calls, zeros)
-}
-
-/// One of them, within a bound.
-pub(crate) fn term(b: &mut Builder, terms: &Injections, k: usize, outputs: &[Value], bound: f64) -> Value {
-    let value = terms.evaluate(b, k, &Moment::Given, Samples::These(outputs));
-    within(b, value, bound)
-}
-
-/// What a signal that runs straight between calls brought at the last one: at the first call, before which nothing is
-/// known of it, what it is now.
-pub(crate) fn begun(b: &mut Builder, calls: CellId, now: Value, before: Value) -> Value {
-    let (calls, none) = (b.read(calls), b.index(0));
-    let first = b.index_equal(calls, none);
-    b.select(first, now, before)
+/// Keeps what a given state shows, and what that makes of the nonlinear terms, as if a call had brought it; inputs are
+/// zero. `slot` is that of the newest values, where they stand in windows; of an output that is `late` nothing is known.
+pub(crate) fn show(
+    b: &mut Builder,
+    sensors: &Sensors,
+    state: &[Value],
+    slot: Option<Value>,
+    late: impl Fn(usize) -> bool,
+) {
+    b.section("what it shows, and what that makes of the nonlinear terms");
+    let mut outputs = Vec::new();
+    for (o, (range, kept)) in sensors.guard.outputs.iter().zip(&sensors.outputs).enumerate() {
+        let shown = shown(b, sensors.plant, state, o, *range);
+        if !late(o) {
+            kept.begin(b, slot, shown);
+        }
+        outputs.push(shown);
+    }
+    let zeros: Vec<Value> = sensors.plant.inputs.iter().map(|_| b.float(0.0)).collect();
+    let injections = sensors.injections(&zeros);
+    for (term, kept) in sensors.terms.iter().zip(&sensors.values) {
+        let (Source::Injection(k), true) = (term.source, term.of_sample) else { continue };
+        let value = injections.evaluate(b, k, &Moment::Given, Samples::These(&outputs));
+        let value = within(b, value, sensors.guard.bound);
+        kept.begin(b, slot, value);
+    }
 }

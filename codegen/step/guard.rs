@@ -14,7 +14,7 @@ use super::injections::scale_of;
 use crate::sampled::settled::round;
 
 /// Bounds on what may enter the state.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Guard {
     /// On inputs, injections and outputs without a range.
     pub bound: f64,

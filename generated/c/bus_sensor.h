@@ -27,7 +27,7 @@
  *
  * Cost       2732 multiplications, 2374 additions, 6 divisions a call, the same for every call
  * Memory     state 1680 bytes, constants 3600 bytes
- *            at most: stack 6820 bytes, flash 17420 bytes without elementary functions
+ *            at most: stack 6772 bytes, flash 17348 bytes without elementary functions
  *
  * Contract:
  *  1. No heap, no recursion, no global or static mutable data, no file or console, no library.

@@ -42,38 +42,38 @@ void camera_luenberger_step(camera_luenberger_state *state, const camera_luenber
     const int t3 = (-1e36f <= t2) && (t2 <= 1e36f);
     const float t4 = state->last_i;
     const float t5 = t3 ? t2 : t4;
-    state->last_i = t5;
     const uint32_t t8 = state->until_x;
     const int t9 = t8 == 0U;
     const uint32_t t10 = (t8 > 0U) ? (t8 - 1U) : 0U;
     const uint32_t t11 = t9 ? 7U : t10;
     state->until_x = t11;
     const int t12 = t1 && t9;
-    const int t13 = !t9;
-    const int t14 = t12 || t13;
 
     /* prediction by the plant */
-    const float t15 = state->x;
-    const float t16 = state->v;
-    const float t18 = 0.0049688797f * t16;
-    const float t20 = 4.9792317e-5f * t5;
-    const float t21 = t15 + t18;
-    const float t22 = t21 + t20;
-    const float t24 = 0.9875778f * t16;
-    const float t26 = 0.019875519f * t5;
-    const float t27 = t24 + t26;
-    const int t28 = t3 && t14;
+    const float t13 = state->x;
+    const float t14 = state->v;
+    const float t16 = 0.0049688797f * t14;
+    const float t18 = 4.9792317e-5f * t5;
+    const float t19 = t13 + t16;
+    const float t20 = t19 + t18;
+    const float t22 = 0.9875778f * t14;
+    const float t24 = 0.019875519f * t5;
+    const float t25 = t22 + t24;
+    const int t26 = !t9;
+    const int t27 = t12 || t26;
+    state->last_i = t5;
+    const int t28 = t3 && t27;
 
     /* correction by the innovation */
-    const int t29 = (-1.0f <= t22) && (t22 <= 2.0f);
+    const int t29 = (-1.0f <= t20) && (t20 <= 2.0f);
     const int t30 = t12 || t29;
     const int t31 = !t30;
-    const float t33 = t0 - t22;
+    const float t33 = t0 - t20;
     const float t34 = t12 ? t33 : 0.0f;
     const float t36 = 0.5034147f * t34;
     const float t38 = 1.4840468f * t34;
-    const float t39 = t22 + t36;
-    const float t40 = t27 + t38;
+    const float t39 = t20 + t36;
+    const float t40 = t25 + t38;
 
     /* the first sample starts the observer; so does a state beyond all bounds */
     const uint32_t t41 = state->good;

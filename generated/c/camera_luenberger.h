@@ -78,7 +78,7 @@ typedef struct {
     float v;          /* v as last estimated */
     uint32_t good;    /* good calls, at most 48 */
     uint32_t clean;   /* good calls in a row, at most 432 */
-    float last_i;     /* the last good value */
+    float last_i;     /* i of the last call */
     uint32_t until_x; /* calls until x is due */
 } camera_luenberger_state;
 

@@ -41,33 +41,33 @@ static void camera_prescribed_part_1(camera_prescribed_state *state, const camer
     const int t3 = (-1e305 <= t2) && (t2 <= 1e305);
     const double t4 = state->last_i;
     const double t5 = t3 ? t2 : t4;
-    state->last_i = t5;
     const uint32_t t8 = state->until_x;
     const int t9 = t8 == 0U;
     const uint32_t t10 = (t8 > 0U) ? (t8 - 1U) : 0U;
     const uint32_t t11 = t9 ? 7U : t10;
     state->until_x = t11;
     const int t12 = t1 && t9;
-    const int t13 = !t9;
-    const int t14 = t12 || t13;
 
     /* prediction by the plant */
-    const double t15 = state->x;
-    const double t16 = state->v;
-    const double t18 = 0.004968879802447429 * t16;
-    const double t20 = 4.979231608411396e-5 * t5;
-    const double t21 = t15 + t18;
-    const double t22 = t21 + t20;
-    const double t24 = 0.9875778004938814 * t16;
-    const double t26 = 0.019875519209789715 * t5;
-    const double t27 = t24 + t26;
-    const int t28 = t3 && t14;
+    const double t13 = state->x;
+    const double t14 = state->v;
+    const double t16 = 0.004968879802447429 * t14;
+    const double t18 = 4.979231608411396e-5 * t5;
+    const double t19 = t13 + t16;
+    const double t20 = t19 + t18;
+    const double t22 = 0.9875778004938814 * t14;
+    const double t24 = 0.019875519209789715 * t5;
+    const double t25 = t22 + t24;
+    const int t26 = !t9;
+    const int t27 = t12 || t26;
+    state->last_i = t5;
+    const int t28 = t3 && t27;
 
     /* correction by the innovation */
-    const int t29 = (-1.0 <= t22) && (t22 <= 2.0);
+    const int t29 = (-1.0 <= t20) && (t20 <= 2.0);
     const int t30 = t12 || t29;
     const int t31 = !t30;
-    const double t33 = t0 - t22;
+    const double t33 = t0 - t20;
     const double t34 = t12 ? t33 : 0.0;
     const uint32_t t35 = state->left;
     const uint32_t t36 = (t35 < 8U) ? t35 : 8U;
@@ -91,8 +91,8 @@ static void camera_prescribed_part_1(camera_prescribed_state *state, const camer
     const double t63 = 0.26292729518911906 * t34;
     const double t64 = t59 + t61;
     const double t65 = t64 + t63;
-    const double t66 = t22 + t57;
-    const double t67 = t27 + t65;
+    const double t66 = t20 + t57;
+    const double t67 = t25 + t65;
 
     /* the first sample starts the observer; so does a state beyond all bounds */
     const uint32_t t68 = state->good;

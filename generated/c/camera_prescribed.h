@@ -83,7 +83,7 @@ typedef struct {
     uint32_t left;    /* calls of the countdown that are left */
     uint32_t good;    /* good calls, at most 9 */
     uint32_t clean;   /* good calls in a row, at most 64 */
-    double last_i;    /* the last good value */
+    double last_i;    /* i of the last call */
     uint32_t until_x; /* calls until x is due */
 } camera_prescribed_state;
 

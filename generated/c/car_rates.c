@@ -52,7 +52,7 @@ typedef struct {
     double t75;
     double t76;
     car_rates_status t95;
-    int flags[3]; /* t17, t33, t34 */
+    int flags[3]; /* t32, t33, t34 */
 } car_rates_work;
 
 /* Part 1 of a step. */
@@ -67,38 +67,38 @@ static void car_rates_part_1(car_rates_state *state, const car_rates_measurement
     const int t5 = (-1e306 <= t4) && (t4 <= 1e306);
     const double t6 = state->last_a;
     const double t7 = t5 ? t4 : t6;
-    state->last_a = t7;
     const uint32_t t10 = state->until_position;
     const int t11 = t10 == 0U;
     const uint32_t t12 = (t10 > 0U) ? (t10 - 1U) : 0U;
     const uint32_t t13 = t11 ? 4U : t12;
     state->until_position = t13;
     const int t14 = t3 && t11;
-    const int t15 = !t11;
-    const int t16 = t14 || t15;
-    work->flags[0] = t1 && t16;
 
     /* prediction by the plant */
-    const double t18 = state->x;
-    const double t19 = state->v;
-    const double t20 = state->offset;
-    const double t22 = 0.02 * t19;
-    const double t24 = 0.0002 * t20;
-    const double t25 = 0.0002 * t7;
-    const double t26 = t18 + t22;
-    const double t27 = t26 + t24;
-    const double t28 = t27 + t25;
-    const double t29 = 0.02 * t20;
-    const double t30 = 0.02 * t7;
-    const double t31 = t19 + t29;
-    const double t32 = t31 + t30;
+    const double t15 = state->x;
+    const double t16 = state->v;
+    const double t17 = state->offset;
+    const double t19 = 0.02 * t16;
+    const double t21 = 0.0002 * t17;
+    const double t22 = 0.0002 * t7;
+    const double t23 = t15 + t19;
+    const double t24 = t23 + t21;
+    const double t25 = t24 + t22;
+    const double t26 = 0.02 * t17;
+    const double t27 = 0.02 * t7;
+    const double t28 = t16 + t26;
+    const double t29 = t28 + t27;
+    const int t30 = !t11;
+    const int t31 = t14 || t30;
+    work->flags[0] = t1 && t31;
     work->flags[1] = t1 && t14;
+    state->last_a = t7;
     work->flags[2] = t5 && work->flags[0];
 
     /* correction by the innovation */
-    const double t36 = work->t0 - t32;
+    const double t36 = work->t0 - t29;
     const double t37 = t1 ? t36 : 0.0;
-    const double t38 = work->t2 - t28;
+    const double t38 = work->t2 - t25;
     const double t39 = t14 ? t38 : 0.0;
     const uint32_t t40 = state->phase;
     const uint32_t t41 = (t40 < 4U) ? t40 : 4U;
@@ -119,9 +119,9 @@ static void car_rates_part_1(car_rates_state *state, const car_rates_measurement
     const double t55 = CAR_RATES_GAINS[t41][5];
     const double t56 = t55 * t39;
     const double t57 = t54 + t56;
-    work->t58 = t28 + t47;
-    work->t59 = t32 + t52;
-    work->t60 = t20 + t57;
+    work->t58 = t25 + t47;
+    work->t59 = t29 + t52;
+    work->t60 = t17 + t57;
 }
 
 /* Part 2 of a step. */

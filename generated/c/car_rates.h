@@ -82,7 +82,7 @@ typedef struct {
     double offset;           /* offset as last estimated */
     uint32_t good;           /* good calls, at most 694 */
     uint32_t clean;          /* good calls in a row, at most 881 */
-    double last_a;           /* the last good value */
+    double last_a;           /* a of the last call */
     uint32_t phase;          /* calls since every output was due */
     uint32_t until_position; /* calls until position is due */
 } car_rates_state;

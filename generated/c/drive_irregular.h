@@ -28,7 +28,7 @@
  *
  * Cost       2138 multiplications, 1734 additions, 6 divisions a call, the same for every call
  * Memory     state 1244 bytes, constants 1200 bytes
- *            at most: stack 2204 bytes, flash 9340 bytes without elementary functions
+ *            at most: stack 2180 bytes, flash 9280 bytes without elementary functions
  *
  * Contract:
  *  1. No heap, no recursion, no global or static mutable data, no file or console, no library.

@@ -26,8 +26,8 @@
  *   error bound from noise                   3.965e-4     9.183e-4    0.204        0.07585
  *
  * Cost       51 multiplications, 42 additions, 1 division a call, the same for every call
- * Memory     state 64 bytes, constants 0 bytes
- *            at most: stack 3120 bytes, flash 6324 bytes without elementary functions
+ * Memory     state 56 bytes, constants 0 bytes
+ *            at most: stack 3104 bytes, flash 6292 bytes without elementary functions
  *
  * Contract:
  *  1. No heap, no recursion, no global or static mutable data, no file or console, no library.
@@ -87,8 +87,7 @@ typedef struct {
     uint32_t left;      /* calls of the countdown that are left */
     uint32_t good;      /* good calls, at most 161 */
     uint32_t clean;     /* good calls in a row, at most 238 */
-    double last_known0; /* torque of the last call */
-    double last_torque; /* the last good value */
+    double last_torque; /* torque of the last call */
 } drive_prescribed_state;
 
 /* Back to the state before the first sample. */

@@ -42,7 +42,6 @@ void fixed_time_linear_step(fixed_time_linear_state *state, const fixed_time_lin
     const int t3 = (-1e302 <= t2) && (t2 <= 1e302);
     const double t4 = state->last_u;
     const double t5 = t3 ? t2 : t4;
-    state->last_u = t5;
 
     /* prediction by the plant */
     const double t6 = state->x;
@@ -65,6 +64,7 @@ void fixed_time_linear_step(fixed_time_linear_state *state, const fixed_time_lin
     const double t32 = 0.951229424500714 * t8;
     const double t34 = 0.04877057549928599 * t5;
     const double t35 = t32 + t34;
+    state->last_u = t5;
     const int t36 = t3 && t1;
 
     /* correction by the innovation */

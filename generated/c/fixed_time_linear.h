@@ -82,7 +82,7 @@ typedef struct {
     double i;       /* i as last estimated */
     uint32_t good;  /* good calls, at most 3 */
     uint32_t clean; /* good calls in a row, at most 3 */
-    double last_u;  /* the last good value */
+    double last_u;  /* u of the last call */
 } fixed_time_linear_state;
 
 /* Back to the state before the first sample. */

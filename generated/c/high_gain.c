@@ -351,8 +351,8 @@ void high_gain_init(high_gain_state *state)
     state->good = 0U;
     state->clean = 0U;
     state->last_sway = 0.0f;
-    state->last_known1 = 0.0f;
     state->last_trolley = 0.0f;
+    state->last_known1 = 0.0f;
 }
 
 void high_gain_step(high_gain_state *state, const high_gain_measurements *measurements,
@@ -365,7 +365,6 @@ void high_gain_step(high_gain_state *state, const high_gain_measurements *measur
     const int t3 = (-1e37f <= t2) && (t2 <= 1e37f);
     const float t4 = state->last_trolley;
     const float t5 = t3 ? t2 : t4;
-    state->last_trolley = t5;
 
     /* prediction by the plant */
     const float t6 = state->sway;
@@ -384,15 +383,16 @@ void high_gain_step(high_gain_state *state, const high_gain_measurements *measur
     const float t25 = t24 + t23;
     const float t27 = -1.0899728e-6f * t8;
     const float t28 = t17 + t27;
-    const int t30 = (-1.0f <= t28) && (t28 <= 1.0f);
-    const float t31 = state->last_sway;
-    const float t32 = t30 ? t28 : t31;
+    const float t30 = state->last_sway;
+    const int t31 = (-1.0f <= t28) && (t28 <= 1.0f);
+    const float t32 = t31 ? t28 : t30;
     const float t33 = t1 ? t0 : t32;
     const float t34 = high_gain_sin_f32(t33);
     const float t35 = -1.0899728e-6f * t34;
     const float t36 = t17 + t35;
     const float t37 = -0.0016349455f * t34;
     const float t38 = t25 + t37;
+    state->last_trolley = t5;
     state->last_known1 = t34;
     state->last_sway = t33;
     const int t39 = t3 && t1;

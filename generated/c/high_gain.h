@@ -81,8 +81,8 @@ typedef struct {
     uint32_t good;      /* good calls, at most 848 */
     uint32_t clean;     /* good calls in a row, at most 1006 */
     float last_sway;    /* the last sway, measured or predicted */
+    float last_trolley; /* trolley of the last call */
     float last_known1;  /* sin(sway) of the last call */
-    float last_trolley; /* the last good value */
 } high_gain_state;
 
 /* Back to the state before the first sample. */

@@ -630,21 +630,21 @@ static void inverted_cart_part_1(inverted_cart_state *state, const inverted_cart
     const int t65 = t54 && t61;
     const int t66 = !t65;
     const int t67 = t64 && t66;
-    const int t68 = t6 && t8;
-    const int t69 = t40 || t49;
-    const int t70 = t69 || t67;
+    const int t68 = t40 || t49;
+    const int t69 = t68 || t67;
+    const int t70 = t6 && t8;
 
     /* how much of the window is good */
     const uint32_t t72 = (t2 < 21U) ? (t2 + 1U) : 21U;
-    const uint32_t t73 = t70 ? 0U : t72;
+    const uint32_t t73 = t69 ? 0U : t72;
     const uint32_t t74 = t10 ? t72 : 1U;
-    const uint32_t t75 = t68 ? t74 : 0U;
+    const uint32_t t75 = t70 ? t74 : 0U;
     work->t76 = t4 ? t73 : t75;
     state->count = work->t76;
     const uint32_t t77 = state->coasting;
     const uint32_t t78 = (t77 > 0U) ? (t77 - 1U) : 0U;
     const uint32_t t79 = t10 ? t78 : 20U;
-    const uint32_t t81 = t68 ? t79 : 21U;
+    const uint32_t t81 = t70 ? t79 : 21U;
     state->coasting = t81;
 }
 

@@ -348,14 +348,14 @@ static float joint_wrapped_sin_f32(float x)
 typedef struct {
     float t20;
     uint32_t t45;
-    float t73;
-    float t76;
-    float t78;
-    float t112;
-    float t113;
-    uint32_t t127;
+    float t74;
+    uint32_t t78;
+    float t80;
+    float t82;
+    float t116;
+    float t117;
     joint_wrapped_status t135;
-    int flags[3]; /* t68, t69, t79 */
+    int flags[3]; /* t70, t71, t83 */
 } joint_wrapped_work;
 
 /* Part 1 of a step. */
@@ -377,7 +377,6 @@ static void joint_wrapped_part_1(joint_wrapped_state *state, const joint_wrapped
     const int t17 = (-1e36f <= t16) && (t16 <= 1e36f);
     const float t18 = state->last_i;
     const float t19 = t17 ? t16 : t18;
-    state->last_i = t19;
 
     /* prediction by the plant */
     work->t20 = state->q;
@@ -404,32 +403,38 @@ static void joint_wrapped_part_1(joint_wrapped_state *state, const joint_wrapped
     const float t50 = t49 - 1.2582912e7f;
     const float t52 = t50 * 6.2831855f;
     const float t53 = t47 - t52;
-    const int t54 = (-0.3f <= t53) && (t53 <= 0.3f);
-    const int t55 = !t54;
-    const int t56 = t46 && t55;
-    const int t57 = t1 && t56;
-    const uint32_t t58 = state->rejected_angle;
-    const int t61 = t58 < 88U;
-    const int t62 = t57 && t61;
-    const uint32_t t63 = (t58 < 89U) ? (t58 + 1U) : 89U;
-    const uint32_t t64 = t1 ? 0U : t58;
-    const uint32_t t65 = t62 ? t63 : t64;
-    state->rejected_angle = t65;
-    const int t66 = !t62;
-    const int t67 = !t61;
-    work->flags[0] = t1 && t66;
-    work->flags[1] = t57 && t67;
-    const int t70 = (-6.2831855f <= t42) && (t42 <= 6.2831855f);
-    const float t71 = state->last_angle;
-    const float t72 = t70 ? t42 : t71;
-    work->t73 = work->flags[0] ? t15 : t72;
-    const float t74 = joint_wrapped_sin_f32(work->t73);
-    const float t75 = -8.161565e-5f * t74;
-    work->t76 = t31 + t75;
-    const float t77 = -0.048959192f * t74;
-    work->t78 = t39 + t77;
-    state->last_known1 = t74;
-    state->last_angle = work->t73;
+    const int t54 = (-6.2831855f <= t42) && (t42 <= 6.2831855f);
+    const int t55 = (-0.3f <= t53) && (t53 <= 0.3f);
+    const int t56 = !t55;
+    const int t57 = t54 && t56;
+    const int t58 = t46 && t57;
+    const int t59 = t1 && t58;
+    const uint32_t t60 = state->rejected_angle;
+    const int t63 = t60 < 88U;
+    const int t64 = t59 && t63;
+    const uint32_t t65 = (t60 < 89U) ? (t60 + 1U) : 89U;
+    const uint32_t t66 = t1 ? 0U : t60;
+    const uint32_t t67 = t64 ? t65 : t66;
+    state->rejected_angle = t67;
+    const int t68 = !t64;
+    const int t69 = !t63;
+    work->flags[0] = t1 && t68;
+    work->flags[1] = t59 && t69;
+    const float t72 = state->last_angle;
+    const float t73 = t54 ? t42 : t72;
+    work->t74 = work->flags[0] ? t15 : t73;
+    const float t75 = joint_wrapped_sin_f32(work->t74);
+    const uint32_t t76 = state->coasted;
+    const uint32_t t77 = (t76 < 4294967295U) ? (t76 + 1U) : 4294967295U;
+    work->t78 = work->flags[0] ? 0U : t77;
+    state->coasted = work->t78;
+    const float t79 = -8.161565e-5f * t75;
+    work->t80 = t31 + t79;
+    const float t81 = -0.048959192f * t75;
+    work->t82 = t39 + t81;
+    state->last_i = t19;
+    state->last_known1 = t75;
+    state->last_angle = work->t74;
     work->flags[2] = t17 && work->flags[0];
 }
 
@@ -437,60 +442,55 @@ static void joint_wrapped_part_1(joint_wrapped_state *state, const joint_wrapped
 static void joint_wrapped_part_2(joint_wrapped_state *state, joint_wrapped_work *work)
 {
     /* correction by the innovation */
-    const float t80 = work->t76 - work->t20;
-    const int t81 = (-3.1415927f <= t80) && (t80 <= 3.1415927f);
-    const int t82 = !t81;
-    const int t83 = t82 || work->flags[1];
-    const float t85 = work->t73 - work->t76;
-    const float t86 = t85 * 0.15915494f;
-    const float t87 = t86 + 1.2582912e7f;
-    const float t88 = t87 - 1.2582912e7f;
-    const float t89 = t88 * 6.2831855f;
-    const float t90 = t85 - t89;
-    const float t91 = work->flags[0] ? t90 : 0.0f;
-    const float t93 = 0.26904923f * t91;
-    const float t95 = 8.415041f * t91;
-    const float t96 = work->t76 + t93;
-    const float t97 = work->t78 + t95;
-    const float t98 = t96 * 0.15915494f;
-    const float t99 = t98 + 1.2582912e7f;
-    const float t100 = t99 - 1.2582912e7f;
-    const float t101 = t100 * 6.2831855f;
-    const float t102 = t96 - t101;
+    const float t84 = work->t80 - work->t20;
+    const int t85 = (-3.1415927f <= t84) && (t84 <= 3.1415927f);
+    const int t86 = !t85;
+    const int t87 = t86 || work->flags[1];
+    const float t89 = work->t74 - work->t80;
+    const float t90 = t89 * 0.15915494f;
+    const float t91 = t90 + 1.2582912e7f;
+    const float t92 = t91 - 1.2582912e7f;
+    const float t93 = t92 * 6.2831855f;
+    const float t94 = t89 - t93;
+    const float t95 = work->flags[0] ? t94 : 0.0f;
+    const float t97 = 0.26904923f * t95;
+    const float t99 = 8.415041f * t95;
+    const float t100 = work->t80 + t97;
+    const float t101 = work->t82 + t99;
+    const float t102 = t100 * 0.15915494f;
+    const float t103 = t102 + 1.2582912e7f;
+    const float t104 = t103 - 1.2582912e7f;
+    const float t105 = t104 * 6.2831855f;
+    const float t106 = t100 - t105;
 
     /* the first sample starts the observer; so does a state beyond all bounds */
-    const int t103 = work->t45 == 0U;
-    const int t104 = t103 || t83;
-    const int t105 = (-1e36f <= t102) && (t102 <= 1e36f);
-    const int t106 = !t105;
-    const int t107 = t104 || t106;
-    const int t108 = (-1e36f <= t97) && (t97 <= 1e36f);
-    const int t109 = !t108;
-    const int t110 = t107 || t109;
-    const float t111 = work->flags[0] ? work->t73 : 0.0f;
-    work->t112 = t110 ? t111 : t102;
-    state->q = work->t112;
-    work->t113 = t110 ? 0.0f : t97;
-    state->dq = work->t113;
-    const uint32_t t115 = work->flags[0] ? 1U : 0U;
-    const uint32_t t116 = (work->t45 < 90U) ? (work->t45 + 1U) : 90U;
-    const uint32_t t117 = work->flags[0] ? t116 : work->t45;
-    const uint32_t t118 = t110 ? t115 : t117;
-    state->good = t118;
-    const uint32_t t119 = state->clean;
-    const uint32_t t120 = (t119 < 99U) ? (t119 + 1U) : 99U;
-    const uint32_t t121 = work->flags[2] ? t120 : 0U;
-    const uint32_t t123 = t110 ? 99U : t121;
-    state->clean = t123;
-    const uint32_t t124 = state->coasted;
-    const uint32_t t125 = (t124 < 4294967295U) ? (t124 + 1U) : 4294967295U;
-    const uint32_t t126 = work->flags[0] ? 0U : t125;
-    state->coasted = t126;
+    const int t107 = work->t45 == 0U;
+    const int t108 = t107 || t87;
+    const int t109 = (-1e36f <= t106) && (t106 <= 1e36f);
+    const int t110 = !t109;
+    const int t111 = t108 || t110;
+    const int t112 = (-1e36f <= t101) && (t101 <= 1e36f);
+    const int t113 = !t112;
+    const int t114 = t111 || t113;
+    const float t115 = work->flags[0] ? work->t74 : 0.0f;
+    work->t116 = t114 ? t115 : t106;
+    state->q = work->t116;
+    work->t117 = t114 ? 0.0f : t101;
+    state->dq = work->t117;
+    const uint32_t t119 = work->flags[0] ? 1U : 0U;
+    const uint32_t t120 = (work->t45 < 90U) ? (work->t45 + 1U) : 90U;
+    const uint32_t t121 = work->flags[0] ? t120 : work->t45;
+    const uint32_t t122 = t114 ? t119 : t121;
+    state->good = t122;
+    const uint32_t t123 = state->clean;
+    const uint32_t t124 = (t123 < 99U) ? (t123 + 1U) : 99U;
+    const uint32_t t125 = work->flags[2] ? t124 : 0U;
+    const uint32_t t127 = t114 ? 99U : t125;
+    state->clean = t127;
 
     /* the estimate */
-    work->t127 = state->coasted;
-    const int t129 = 89U < t118;
-    const int t130 = 98U < t123;
+    const int t129 = 89U < t122;
+    const int t130 = 98U < t127;
     const joint_wrapped_status t134 = t130 ? JOINT_WRAPPED_CONVERGED : JOINT_WRAPPED_COASTING;
     work->t135 = t129 ? t134 : JOINT_WRAPPED_CONVERGING;
 }
@@ -502,8 +502,8 @@ void joint_wrapped_init(joint_wrapped_state *state)
     state->good = 0U;
     state->clean = 0U;
     state->last_angle = 0.0f;
-    state->last_known1 = 0.0f;
     state->last_i = 0.0f;
+    state->last_known1 = 0.0f;
     state->rejected_angle = 0U;
     state->coasted = 0U;
 }
@@ -515,8 +515,8 @@ void joint_wrapped_step(joint_wrapped_state *state, const joint_wrapped_measurem
     joint_wrapped_part_1(state, measurements, inputs, &work);
     joint_wrapped_part_2(state, &work);
 
-    estimate->q = work.t112;
-    estimate->dq = work.t113;
-    estimate->coasted = work.t127;
+    estimate->q = work.t116;
+    estimate->dq = work.t117;
+    estimate->coasted = work.t78;
     estimate->status = work.t135;
 }

@@ -28,7 +28,7 @@
  *
  * Cost       21 multiplications, 27 additions, 1 sin a call, the same for every call
  * Memory     state 36 bytes, constants 0 bytes
- *            at most: stack 1600 bytes, flash 4524 bytes without elementary functions
+ *            at most: stack 1600 bytes, flash 4536 bytes without elementary functions
  *
  * Contract:
  *  1. No heap, no recursion, no global or static mutable data, no file or console, no library.
@@ -85,8 +85,8 @@ typedef struct {
     uint32_t good;           /* good calls, at most 90 */
     uint32_t clean;          /* good calls in a row, at most 99 */
     float last_angle;        /* the last angle, measured or predicted */
+    float last_i;            /* i of the last call */
     float last_known1;       /* sin(q) of the last call */
-    float last_i;            /* the last good value */
     uint32_t rejected_angle; /* samples of angle rejected in a row */
     uint32_t coasted;        /* calls since the newest accepted sample */
 } joint_wrapped_state;

@@ -374,9 +374,9 @@ void kalman_step(kalman_state *state, const kalman_measurements *measurements,
     const float t15 = t12 + t14;
     const float t17 = 1.070297e-5f * t4;
     const float t18 = t10 + t17;
-    const int t20 = (-1e36f <= t18) && (t18 <= 1e36f);
-    const float t21 = state->last_theta;
-    const float t22 = t20 ? t18 : t21;
+    const float t20 = state->last_theta;
+    const int t21 = (-1e36f <= t18) && (t18 <= 1e36f);
+    const float t22 = t21 ? t18 : t20;
     const float t23 = t1 ? t0 : t22;
     const float t24 = kalman_sin_f32(t23);
     const float t25 = 1.070297e-5f * t24;

@@ -525,8 +525,8 @@ typedef struct {
     float t12;
     uint32_t t13;
     uint32_t t15;
-    float t30;
-    float t38;
+    float t28;
+    float t35;
     float t48;
     uint32_t t75;
     float t86;
@@ -566,7 +566,7 @@ typedef struct {
     float t329;
     float t330;
     late_position_status t337;
-    int flags[6]; /* t4, t6, t8, t10, t67, t69 */
+    int flags[6]; /* t4, t6, t8, t10, t68, t69 */
 } late_position_work;
 
 /* Part 1 of a step. */
@@ -596,21 +596,21 @@ static void late_position_part_1(late_position_state *state, const late_position
     const float t20 = t17 + t19;
     const float t21 = state->camera[t1];
     const float t22 = state->wheel[t1];
-    const int t23 = (-1e36f <= t16) && (t16 <= 1e36f);
-    const int t24 = (-20.0f <= t20) && (t20 <= 20.0f);
-    const int t25 = work->flags[0] && t24;
-    const float t26 = t25 ? t20 : t22;
-    const float t27 = work->flags[2] ? t7 : t26;
-    const float t29 = 20.0f * t27;
-    work->t30 = late_position_tanh_f32(t29);
-    const float t31 = state->tanh_20_wheel[t1];
-    const int t33 = 43U < work->t2;
-    const int t34 = t33 && t23;
-    const float t35 = t34 ? t16 : t21;
-    const int t36 = work->flags[1] || t34;
-    const int t37 = !t36;
-    work->t38 = work->flags[1] ? t5 : t35;
-    const float t39 = work->t30 - t31;
+    const int t24 = 43U < work->t2;
+    const int t25 = (-1e36f <= t16) && (t16 <= 1e36f);
+    const int t26 = t24 && t25;
+    const float t27 = t26 ? t16 : t21;
+    work->t28 = work->flags[1] ? t5 : t27;
+    const int t29 = (-20.0f <= t20) && (t20 <= 20.0f);
+    const int t30 = work->flags[0] && t29;
+    const float t31 = t30 ? t20 : t22;
+    const float t32 = work->flags[2] ? t7 : t31;
+    const float t34 = 20.0f * t32;
+    work->t35 = late_position_tanh_f32(t34);
+    const float t36 = state->tanh_20_wheel[t1];
+    const int t37 = work->flags[1] || t26;
+    const int t38 = !t37;
+    const float t39 = work->t35 - t36;
     const float t41 = -0.00018548031f * t39;
     const float t42 = t20 + t41;
     const int t43 = (-20.0f <= t42) && (t42 <= 20.0f);
@@ -637,9 +637,9 @@ static void late_position_part_1(late_position_state *state, const late_position
     const int t64 = t53 && t60;
     const int t65 = !t64;
     const int t66 = t63 && t65;
-    work->flags[4] = work->flags[2] && work->flags[1];
-    const int t68 = t37 || t47;
-    work->flags[5] = t68 || t66;
+    const int t67 = t38 || t47;
+    work->flags[4] = t67 || t66;
+    work->flags[5] = work->flags[2] && work->flags[1];
 }
 
 /* Part 2 of a step. */
@@ -647,9 +647,9 @@ static void late_position_part_2(late_position_state *state, late_position_work 
 {
     /* how much of the window is good */
     const uint32_t t71 = (work->t2 < 44U) ? (work->t2 + 1U) : 44U;
-    const uint32_t t72 = work->flags[5] ? 0U : t71;
+    const uint32_t t72 = work->flags[4] ? 0U : t71;
     const uint32_t t73 = work->flags[3] ? t71 : 1U;
-    const uint32_t t74 = work->flags[4] ? t73 : 0U;
+    const uint32_t t74 = work->flags[5] ? t73 : 0U;
     work->t75 = work->flags[0] ? t72 : t74;
     state->count = work->t75;
     const uint32_t t76 = state->coasting;
@@ -663,10 +663,10 @@ static void late_position_part_2(late_position_state *state, late_position_work 
 
     /* into the window */
     state->newest = work->t13;
-    state->camera[work->t13] = work->t38;
+    state->camera[work->t13] = work->t28;
     state->wheel[work->t13] = work->t48;
     state->force[work->t13] = work->t12;
-    state->tanh_20_wheel[work->t13] = work->t30;
+    state->tanh_20_wheel[work->t13] = work->t35;
 }
 
 /* Part 3 of a step. */
@@ -895,7 +895,7 @@ static void late_position_part_5(late_position_state *state, late_position_work 
     const float t316 = 0.25809625f * t307;
     const float t318 = 0.0013568978f * t310;
     const float t320 = 0.7408182f * t313;
-    const float t322 = -0.0005427591f * work->t30;
+    const float t322 = -0.0005427591f * work->t35;
     const float t323 = t316 + t318;
     const float t324 = t323 + t320;
     const float t325 = t324 + t322;

@@ -382,13 +382,13 @@ typedef struct {
     float t17;
     float t21;
     uint32_t t22;
-    float t75;
+    float t73;
     float t76;
     float t79;
     float t82;
-    float t85;
-    float t91;
-    uint32_t t98;
+    float t92;
+    uint32_t t95;
+    float t97;
     uint32_t t107;
     float t130;
     float t131;
@@ -401,7 +401,7 @@ typedef struct {
     float t240;
     float t241;
     lossy_arm_status t249;
-    int flags[4]; /* t3, t19, t52, t113 */
+    int flags[4]; /* t3, t19, t44, t113 */
 } lossy_arm_work;
 
 /* Part 1 of a step. */
@@ -425,13 +425,13 @@ static void lossy_arm_part_1(const lossy_arm_state *state, const lossy_arm_measu
     work->flags[1] = (-1e28f <= t18) && (t18 <= 1e28f);
     const float t20 = state->u[work->t1];
     work->t21 = work->flags[1] ? t18 : t20;
-    work->t22 = (work->t1 < 25U) ? (work->t1 + 1U) : 0U;
 }
 
 /* Part 2 of a step. */
 static void lossy_arm_part_2(lossy_arm_state *state, lossy_arm_work *work)
 {
     /* prediction of what the samples show */
+    work->t22 = (work->t1 < 25U) ? (work->t1 + 1U) : 0U;
     const float t23 = state->sin_q[work->t1];
     const float t24 = state->next_q;
     const float t26 = 1.5989339e-5f * work->t21;
@@ -445,76 +445,76 @@ static void lossy_arm_part_2(lossy_arm_state *state, lossy_arm_work *work)
     const float t38 = t37 - 1.2582912e7f;
     const float t40 = t38 * 6.2831855f;
     const float t41 = t30 - t40;
-    const int t42 = (-6.2831855f <= t41) && (t41 <= 6.2831855f);
-    const float t43 = work->t17 - t41;
-    const float t44 = t43 * 0.15915494f;
-    const float t45 = t44 + 1.2582912e7f;
-    const float t46 = t45 - 1.2582912e7f;
-    const float t47 = t46 * 6.2831855f;
-    const float t48 = t43 - t47;
-    const uint32_t t49 = state->count;
-    const uint32_t t50 = state->known;
-    work->flags[2] = t50 == 1U;
-    const int t53 = (-0.3f <= t48) && (t48 <= 0.3f);
-    const int t54 = !t53;
-    const int t55 = t42 && t54;
-    const int t56 = work->flags[2] && t55;
-    const int t57 = work->flags[0] && t56;
-    const uint32_t t58 = state->rejected_y;
-    const int t61 = t58 < 24U;
-    const int t62 = t57 && t61;
-    const uint32_t t63 = (t58 < 25U) ? (t58 + 1U) : 25U;
-    const uint32_t t64 = work->flags[0] ? 0U : t58;
-    const uint32_t t65 = t62 ? t63 : t64;
-    state->rejected_y = t65;
-    const int t66 = !t62;
-    const int t67 = !t61;
-    const int t68 = work->flags[0] && t66;
-    const int t69 = t57 && t67;
-    const float t71 = state->y[work->t1];
-    const int t72 = work->flags[2] && t42;
-    const float t73 = t72 ? t41 : t71;
-    const float t74 = t68 ? work->t17 : t73;
-    work->t75 = t68 ? 1.0f : 0.0f;
-    work->t76 = lossy_arm_sin_f32(t74);
-    const float t77 = -2.332167e-5f * work->t76;
-    const float t78 = t26 + t77;
-    work->t79 = t24 + t78;
-    const float t80 = -0.03497668f * work->t76;
-    const float t81 = t33 + t80;
-    work->t82 = t31 + t81;
-    const float t83 = work->t79 * 0.15915494f;
-    const float t84 = t83 + 1.2582912e7f;
-    work->t85 = t84 - 1.2582912e7f;
-    const float t86 = work->t85 * 6.2831855f;
-    const float t87 = work->t79 - t86;
-    const int t88 = (-6.2831855f <= t87) && (t87 <= 6.2831855f);
-    const int t89 = work->flags[2] && t88;
-    const float t90 = t89 ? t87 : t74;
-    work->t91 = t68 ? work->t17 : t90;
-    const int t92 = !t68;
-    const int t93 = !t88;
-    const int t94 = work->flags[2] && t93;
-    const int t95 = t92 && t94;
-    const uint32_t t96 = state->since;
-    const uint32_t t97 = (t96 < 4294967295U) ? (t96 + 1U) : 4294967295U;
-    work->t98 = t68 ? 0U : t97;
-    state->since = work->t98;
+    const uint32_t t42 = state->known;
+    work->flags[2] = t42 == 1U;
+    const float t45 = work->t17 - t41;
+    const float t46 = t45 * 0.15915494f;
+    const float t47 = t46 + 1.2582912e7f;
+    const float t48 = t47 - 1.2582912e7f;
+    const float t49 = t48 * 6.2831855f;
+    const float t50 = t45 - t49;
+    const int t51 = (-6.2831855f <= t41) && (t41 <= 6.2831855f);
+    const int t52 = (-0.3f <= t50) && (t50 <= 0.3f);
+    const int t53 = !t52;
+    const int t54 = t51 && t53;
+    const int t55 = work->flags[2] && t54;
+    const int t56 = work->flags[0] && t55;
+    const uint32_t t57 = state->rejected_y;
+    const int t60 = t57 < 24U;
+    const int t61 = t56 && t60;
+    const uint32_t t62 = (t57 < 25U) ? (t57 + 1U) : 25U;
+    const uint32_t t63 = work->flags[0] ? 0U : t57;
+    const uint32_t t64 = t61 ? t62 : t63;
+    state->rejected_y = t64;
+    const int t65 = !t61;
+    const int t66 = !t60;
+    const int t67 = work->flags[0] && t65;
+    const int t68 = t56 && t66;
+    const float t69 = state->y[work->t1];
+    const int t70 = work->flags[2] && t51;
+    const float t71 = t70 ? t41 : t69;
+    const float t72 = t67 ? work->t17 : t71;
+    work->t73 = lossy_arm_sin_f32(t72);
+    const float t74 = -2.332167e-5f * work->t73;
+    const float t75 = t26 + t74;
+    work->t76 = t24 + t75;
+    const float t77 = -0.03497668f * work->t73;
+    const float t78 = t33 + t77;
+    work->t79 = t31 + t78;
+    const float t80 = work->t76 * 0.15915494f;
+    const float t81 = t80 + 1.2582912e7f;
+    work->t82 = t81 - 1.2582912e7f;
+    const float t83 = work->t82 * 6.2831855f;
+    const float t84 = work->t76 - t83;
+    const int t85 = (-6.2831855f <= t84) && (t84 <= 6.2831855f);
+    const int t86 = work->flags[2] && t85;
+    const float t87 = t86 ? t84 : t69;
+    const int t88 = !t67;
+    const int t89 = !t85;
+    const int t90 = work->flags[2] && t89;
+    const int t91 = t88 && t90;
+    work->t92 = t67 ? work->t17 : t87;
+    const uint32_t t93 = state->since;
+    const uint32_t t94 = (t93 < 4294967295U) ? (t93 + 1U) : 4294967295U;
+    work->t95 = t67 ? 0U : t94;
+    state->since = work->t95;
+    work->t97 = t67 ? 1.0f : 0.0f;
+    const uint32_t t98 = state->count;
 
     /* how much of the window is good */
-    const int t100 = 25U < t49;
-    const int t101 = !t69;
+    const int t100 = 25U < t98;
+    const int t101 = !t68;
     const int t102 = t100 && t101;
     const int t103 = work->flags[1] && t101;
-    const uint32_t t104 = (t49 < 26U) ? (t49 + 1U) : 26U;
-    const uint32_t t105 = t95 ? 0U : t104;
+    const uint32_t t104 = (t98 < 26U) ? (t98 + 1U) : 26U;
+    const uint32_t t105 = t91 ? 0U : t104;
     const uint32_t t106 = t103 ? t104 : 1U;
     work->t107 = t102 ? t105 : t106;
     state->count = work->t107;
     const uint32_t t108 = state->coasting;
     const uint32_t t109 = (t108 > 0U) ? (t108 - 1U) : 0U;
     const uint32_t t110 = work->flags[1] ? t109 : 25U;
-    const uint32_t t112 = t68 ? t110 : 26U;
+    const uint32_t t112 = t67 ? t110 : 26U;
     state->coasting = t112;
 }
 
@@ -523,10 +523,10 @@ static void lossy_arm_part_3(lossy_arm_state *state, lossy_arm_work *work)
 {
     /* into the window */
     state->newest = work->t22;
-    state->y[work->t22] = work->t91;
-    state->has_y[work->t22] = work->t75;
+    state->y[work->t22] = work->t92;
+    state->has_y[work->t22] = work->t97;
     state->u[work->t22] = work->t21;
-    state->sin_q[work->t22] = work->t76;
+    state->sin_q[work->t22] = work->t73;
     work->flags[3] = 25U < work->t107;
 
     /* rows of the window, oldest first; those without a sample count nothing */
@@ -640,34 +640,34 @@ static void lossy_arm_part_4(lossy_arm_state *state, lossy_arm_work *work)
     const float t212 = t206 + t211;
 
     /* without enough samples, the model's prediction */
-    const float t214 = work->t85 * -6.2831855f;
-    const float t215 = work->t79 + t214;
+    const float t214 = work->t82 * -6.2831855f;
+    const float t215 = work->t76 + t214;
     const int t216 = (-1e28f <= t215) && (t215 <= 1e28f);
     const int t217 = work->flags[2] && t216;
     const float t218 = t196 ? t212 : t215;
-    const int t219 = (-1e28f <= work->t82) && (work->t82 <= 1e28f);
+    const int t219 = (-1e28f <= work->t79) && (work->t79 <= 1e28f);
     const int t220 = t217 && t219;
-    const float t221 = t196 ? t209 : work->t82;
+    const float t221 = t196 ? t209 : work->t79;
     const int t222 = t196 || t220;
     const int t223 = work->flags[3] && t222;
     const uint32_t t224 = t223 ? 1U : 0U;
     state->known = t224;
     const float t226 = 0.0019980012f * t221;
     const float t227 = t218 + t226;
-    const float t229 = -4.6631685e-5f * work->t76;
+    const float t229 = -4.6631685e-5f * work->t73;
     const float t230 = t227 + t229;
     const int t231 = (-1e28f <= t230) && (t230 <= 1e28f);
     const float t232 = t231 ? t230 : 0.0f;
     state->next_q = t232;
     const float t234 = 0.998002f * t221;
-    const float t236 = -0.034953367f * work->t76;
+    const float t236 = -0.034953367f * work->t73;
     const float t237 = t234 + t236;
     const int t238 = (-1e28f <= t237) && (t237 <= 1e28f);
     const float t239 = t238 ? t237 : 0.0f;
     state->next_dq = t239;
 
     /* the estimate; until there is one, the start */
-    work->t240 = t223 ? t218 : work->t91;
+    work->t240 = t223 ? t218 : work->t92;
     work->t241 = t223 ? t221 : 0.0f;
     const uint32_t t242 = state->coasting;
     const int t243 = t242 == 0U;
@@ -711,6 +711,6 @@ void lossy_arm_step(lossy_arm_state *state, const lossy_arm_measurements *measur
 
     estimate->q = work.t240;
     estimate->dq = work.t241;
-    estimate->coasted = work.t98;
+    estimate->coasted = work.t95;
     estimate->status = work.t249;
 }

@@ -163,11 +163,11 @@ static const float LOSSY_ENCODER_ROWS[130][3] = {
 /* What one part of a step hands to the next. */
 typedef struct {
     uint32_t t4;
-    float t8;
+    float t5;
+    float t6;
+    float t7;
+    float t10;
     uint32_t t14;
-    float t49;
-    float t50;
-    float t51;
     float t52;
     float t53;
     float t54;
@@ -177,14 +177,17 @@ typedef struct {
     float t58;
     float t59;
     float t60;
-    float t140;
-    float t146;
-    float t149;
+    float t61;
+    float t62;
+    float t63;
+    float t157;
+    float t160;
+    float t163;
     float t181;
     float t182;
     float t183;
     lossy_encoder_status t191;
-    int flags[2]; /* t20, t123 */
+    int flags[3]; /* t23, t126, t165 */
 } lossy_encoder_work;
 
 /* Part 1 of a step. */
@@ -196,223 +199,223 @@ static void lossy_encoder_part_1(lossy_encoder_state *state, const lossy_encoder
     const float t2 = measurements->y;
     const int t3 = (-1e26f <= t2) && (t2 <= 1e26f);
     work->t4 = (t1 < 130U) ? (t1 + 1U) : 0U;
-    const float t7 = state->y[t1];
-    work->t8 = t3 ? t2 : t7;
-    const float t9 = t3 ? 1.0f : 0.0f;
-    const uint32_t t10 = state->count;
+    work->t5 = state->next_q;
+    work->t6 = state->next_dq;
+    work->t7 = state->next_ddq;
+    const float t9 = state->y[t1];
+    work->t10 = t3 ? t2 : t9;
     const uint32_t t12 = state->since;
     const uint32_t t13 = (t12 < 4294967295U) ? (t12 + 1U) : 4294967295U;
     work->t14 = t3 ? 0U : t13;
     state->since = work->t14;
+    const float t16 = t3 ? 1.0f : 0.0f;
+    const uint32_t t17 = state->count;
 
     /* how much of the window is good */
-    const uint32_t t17 = (t10 < 131U) ? (t10 + 1U) : 131U;
-    state->count = t17;
-    const uint32_t t18 = state->coasting;
-    const uint32_t t19 = (t18 > 0U) ? (t18 - 1U) : 0U;
-    state->coasting = t19;
+    const uint32_t t20 = (t17 < 131U) ? (t17 + 1U) : 131U;
+    state->count = t20;
+    const uint32_t t21 = state->coasting;
+    const uint32_t t22 = (t21 > 0U) ? (t21 - 1U) : 0U;
+    state->coasting = t22;
 
     /* into the window */
     state->newest = work->t4;
-    state->y[work->t4] = work->t8;
-    state->has_y[work->t4] = t9;
-    work->flags[0] = 130U < t17;
+    state->y[work->t4] = work->t10;
+    state->has_y[work->t4] = t16;
+    work->flags[0] = 130U < t20;
 }
 
 /* Part 2 of a step. */
 static void lossy_encoder_part_2(const lossy_encoder_state *state, lossy_encoder_work *work)
 {
     /* rows of the window, oldest first; those without a sample count nothing */
-    const uint32_t t21 = (work->t4 < 130U) ? (work->t4 + 1U) : 0U;
-    const float t25 = state->has_y[t21];
-    const float t26 = state->y[t21];
-    const float t27 = t26 - 0.0f;
-    const float t28 = t25 * 0.0873704f;
-    const float t29 = t25 * -0.15017916f;
-    const float t30 = t25 * 0.19094272f;
-    const float t31 = t28 * t28;
-    const float t32 = 0.0f + t31;
-    const float t33 = t28 * t29;
-    const float t34 = 0.0f + t33;
-    const float t35 = t28 * t30;
-    const float t36 = 0.0f + t35;
-    const float t37 = t29 * t29;
-    const float t38 = 0.0f + t37;
-    const float t39 = t29 * t30;
-    const float t40 = 0.0f + t39;
-    const float t41 = t30 * t30;
-    const float t42 = 0.0f + t41;
-    const float t43 = t28 * t27;
-    const float t44 = 0.0f + t43;
-    const float t45 = t29 * t27;
-    const float t46 = 0.0f + t45;
-    const float t47 = t30 * t27;
-    const float t48 = 0.0f + t47;
-    work->t49 = t32;
-    work->t50 = t34;
-    work->t51 = t36;
-    work->t52 = t38;
-    work->t53 = t40;
-    work->t54 = t42;
-    work->t55 = t44;
-    work->t56 = t46;
-    work->t57 = t48;
-    work->t58 = 0.0f;
-    work->t59 = 0.0f;
-    work->t60 = 0.0f;
-    uint32_t t61 = t21;
+    const uint32_t t24 = (work->t4 < 130U) ? (work->t4 + 1U) : 0U;
+    const float t28 = state->has_y[t24];
+    const float t29 = state->y[t24];
+    const float t30 = t29 - 0.0f;
+    const float t31 = t28 * 0.0873704f;
+    const float t32 = t28 * -0.15017916f;
+    const float t33 = t28 * 0.19094272f;
+    const float t34 = t31 * t31;
+    const float t35 = 0.0f + t34;
+    const float t36 = t31 * t32;
+    const float t37 = 0.0f + t36;
+    const float t38 = t31 * t33;
+    const float t39 = 0.0f + t38;
+    const float t40 = t32 * t32;
+    const float t41 = 0.0f + t40;
+    const float t42 = t32 * t33;
+    const float t43 = 0.0f + t42;
+    const float t44 = t33 * t33;
+    const float t45 = 0.0f + t44;
+    const float t46 = t31 * t30;
+    const float t47 = 0.0f + t46;
+    const float t48 = t32 * t30;
+    const float t49 = 0.0f + t48;
+    const float t50 = t33 * t30;
+    const float t51 = 0.0f + t50;
+    work->t52 = t35;
+    work->t53 = t37;
+    work->t54 = t39;
+    work->t55 = t41;
+    work->t56 = t43;
+    work->t57 = t45;
+    work->t58 = t47;
+    work->t59 = t49;
+    work->t60 = t51;
+    work->t61 = 0.0f;
+    work->t62 = 0.0f;
+    work->t63 = 0.0f;
+    uint32_t t64 = t24;
     for (uint32_t row = 0U; row < 130U; ++row) {
         const float *const gains = LOSSY_ENCODER_ROWS[row];
-        const uint32_t t62 = (t61 < 130U) ? (t61 + 1U) : 0U;
-        const float t64 = 0.001f * work->t59;
-        const float t66 = 5e-7f * work->t60;
-        const float t67 = work->t58 + t64;
-        const float t68 = t67 + t66;
-        const float t69 = 0.001f * work->t60;
-        const float t70 = work->t59 + t69;
-        const float t71 = gains[0];
-        const float t72 = gains[1];
-        const float t73 = gains[2];
-        const float t74 = state->has_y[t62];
-        const float t75 = state->y[t62];
-        const float t76 = t75 - t68;
-        const float t77 = t74 * t71;
-        const float t78 = t74 * t72;
-        const float t79 = t74 * t73;
-        const float t80 = t77 * t77;
-        const float t81 = work->t49 + t80;
-        const float t82 = t77 * t78;
-        const float t83 = work->t50 + t82;
-        const float t84 = t77 * t79;
-        const float t85 = work->t51 + t84;
-        const float t86 = t78 * t78;
-        const float t87 = work->t52 + t86;
-        const float t88 = t78 * t79;
-        const float t89 = work->t53 + t88;
-        const float t90 = t79 * t79;
-        const float t91 = work->t54 + t90;
-        const float t92 = t77 * t76;
-        const float t93 = work->t55 + t92;
-        const float t94 = t78 * t76;
-        const float t95 = work->t56 + t94;
-        const float t96 = t79 * t76;
-        const float t97 = work->t57 + t96;
-        const float t98 = work->t60 - 0.0f;
-        work->t49 = t81;
-        work->t50 = t83;
-        work->t51 = t85;
-        work->t52 = t87;
-        work->t53 = t89;
-        work->t54 = t91;
-        work->t55 = t93;
-        work->t56 = t95;
-        work->t57 = t97;
-        work->t58 = t68;
-        work->t59 = t70;
-        work->t60 = t98;
-        t61 = t62;
+        const uint32_t t65 = (t64 < 130U) ? (t64 + 1U) : 0U;
+        const float t67 = 0.001f * work->t62;
+        const float t69 = 5e-7f * work->t63;
+        const float t70 = work->t61 + t67;
+        const float t71 = t70 + t69;
+        const float t72 = 0.001f * work->t63;
+        const float t73 = work->t62 + t72;
+        const float t74 = gains[0];
+        const float t75 = gains[1];
+        const float t76 = gains[2];
+        const float t77 = state->has_y[t65];
+        const float t78 = state->y[t65];
+        const float t79 = t78 - t71;
+        const float t80 = t77 * t74;
+        const float t81 = t77 * t75;
+        const float t82 = t77 * t76;
+        const float t83 = t80 * t80;
+        const float t84 = work->t52 + t83;
+        const float t85 = t80 * t81;
+        const float t86 = work->t53 + t85;
+        const float t87 = t80 * t82;
+        const float t88 = work->t54 + t87;
+        const float t89 = t81 * t81;
+        const float t90 = work->t55 + t89;
+        const float t91 = t81 * t82;
+        const float t92 = work->t56 + t91;
+        const float t93 = t82 * t82;
+        const float t94 = work->t57 + t93;
+        const float t95 = t80 * t79;
+        const float t96 = work->t58 + t95;
+        const float t97 = t81 * t79;
+        const float t98 = work->t59 + t97;
+        const float t99 = t82 * t79;
+        const float t100 = work->t60 + t99;
+        const float t101 = work->t63 - 0.0f;
+        work->t52 = t84;
+        work->t53 = t86;
+        work->t54 = t88;
+        work->t55 = t90;
+        work->t56 = t92;
+        work->t57 = t94;
+        work->t58 = t96;
+        work->t59 = t98;
+        work->t60 = t100;
+        work->t61 = t71;
+        work->t62 = t73;
+        work->t63 = t101;
+        t64 = t65;
     }
 }
 
 /* Part 3 of a step. */
-static void lossy_encoder_part_3(lossy_encoder_work *work)
+static void lossy_encoder_part_3(lossy_encoder_state *state, lossy_encoder_work *work)
 {
     /* the window's start from the samples that are there */
-    const int t100 = 0.015625f < work->t49;
-    const float t101 = t100 ? work->t49 : 1.0f;
-    const float t102 = work->t50 / t101;
-    const float t103 = t102 * work->t50;
-    const float t104 = work->t52 - t103;
-    const float t105 = t102 * work->t51;
-    const float t106 = work->t53 - t105;
-    const float t107 = t102 * work->t55;
-    const float t108 = work->t56 - t107;
-    const float t109 = work->t51 / t101;
-    const float t110 = t109 * work->t51;
-    const float t111 = work->t54 - t110;
-    const float t112 = t109 * work->t55;
-    const float t113 = work->t57 - t112;
-    const int t114 = 0.015625f < t104;
-    const int t115 = t100 && t114;
-    const float t116 = t114 ? t104 : 1.0f;
-    const float t117 = t106 / t116;
-    const float t118 = t117 * t106;
-    const float t119 = t111 - t118;
-    const float t120 = t117 * t108;
-    const float t121 = t113 - t120;
-    const int t122 = 0.015625f < t119;
-    work->flags[1] = t115 && t122;
-    const float t124 = t122 ? t119 : 1.0f;
-    const float t125 = t121 / t124;
-    const float t126 = t106 * t125;
-    const float t127 = t108 - t126;
-    const float t128 = t127 / t116;
-    const float t129 = work->t50 * t128;
-    const float t130 = work->t55 - t129;
-    const float t131 = work->t51 * t125;
-    const float t132 = t130 - t131;
-    const float t133 = t132 / t101;
-    const float t134 = 0.0873704f * t133;
-    const float t136 = 0.15017916f * t128;
-    const float t137 = 0.19094272f * t125;
-    const float t138 = t134 + t136;
-    const float t139 = t138 + t137;
-    work->t140 = t139 + work->t58;
-    const float t142 = 2.3104486f * t128;
-    const float t144 = 8.881057f * t125;
-    const float t145 = t142 + t144;
-    work->t146 = t145 + work->t59;
-    const float t148 = 136.63164f * t125;
-    work->t149 = t148 + work->t60;
-}
+    const int t103 = 0.015625f < work->t52;
+    const float t104 = t103 ? work->t52 : 1.0f;
+    const float t105 = work->t53 / t104;
+    const float t106 = t105 * work->t53;
+    const float t107 = work->t55 - t106;
+    const float t108 = t105 * work->t54;
+    const float t109 = work->t56 - t108;
+    const float t110 = t105 * work->t58;
+    const float t111 = work->t59 - t110;
+    const float t112 = work->t54 / t104;
+    const float t113 = t112 * work->t54;
+    const float t114 = work->t57 - t113;
+    const float t115 = t112 * work->t58;
+    const float t116 = work->t60 - t115;
+    const int t117 = 0.015625f < t107;
+    const int t118 = t103 && t117;
+    const float t119 = t117 ? t107 : 1.0f;
+    const float t120 = t109 / t119;
+    const float t121 = t120 * t109;
+    const float t122 = t114 - t121;
+    const float t123 = t120 * t111;
+    const float t124 = t116 - t123;
+    const int t125 = 0.015625f < t122;
+    work->flags[1] = t118 && t125;
+    const float t127 = t125 ? t122 : 1.0f;
+    const float t128 = t124 / t127;
+    const float t129 = t109 * t128;
+    const float t130 = t111 - t129;
+    const float t131 = t130 / t119;
+    const float t132 = work->t53 * t131;
+    const float t133 = work->t58 - t132;
+    const float t134 = work->t54 * t128;
+    const float t135 = t133 - t134;
+    const float t136 = t135 / t104;
+    const float t137 = 0.0873704f * t136;
+    const float t139 = 0.15017916f * t131;
+    const float t140 = 0.19094272f * t128;
+    const float t141 = t137 + t139;
+    const float t142 = t141 + t140;
+    const float t143 = t142 + work->t61;
+    const float t145 = 2.3104486f * t131;
+    const float t147 = 8.881057f * t128;
+    const float t148 = t145 + t147;
+    const float t149 = t148 + work->t62;
+    const float t151 = 136.63164f * t128;
+    const float t152 = t151 + work->t63;
 
-/* Part 4 of a step. */
-static void lossy_encoder_part_4(lossy_encoder_state *state, lossy_encoder_work *work)
-{
     /* without enough samples, the model's prediction */
-    const uint32_t t150 = state->known;
-    const int t151 = t150 == 1U;
-    const float t152 = state->next_q;
-    const int t153 = (-1e26f <= t152) && (t152 <= 1e26f);
-    const int t154 = t151 && t153;
-    const float t155 = work->flags[1] ? work->t140 : t152;
-    const float t156 = state->next_dq;
-    const int t157 = (-1e26f <= t156) && (t156 <= 1e26f);
-    const int t158 = t154 && t157;
-    const float t159 = work->flags[1] ? work->t146 : t156;
-    const float t160 = state->next_ddq;
-    const int t161 = (-1e26f <= t160) && (t160 <= 1e26f);
-    const int t162 = t158 && t161;
-    const float t163 = work->flags[1] ? work->t149 : t160;
+    const uint32_t t153 = state->known;
+    const int t154 = t153 == 1U;
+    const int t155 = (-1e26f <= work->t5) && (work->t5 <= 1e26f);
+    const int t156 = t154 && t155;
+    work->t157 = work->flags[1] ? t143 : work->t5;
+    const int t158 = (-1e26f <= work->t6) && (work->t6 <= 1e26f);
+    const int t159 = t156 && t158;
+    work->t160 = work->flags[1] ? t149 : work->t6;
+    const int t161 = (-1e26f <= work->t7) && (work->t7 <= 1e26f);
+    const int t162 = t159 && t161;
+    work->t163 = work->flags[1] ? t152 : work->t7;
     const int t164 = work->flags[1] || t162;
-    const int t165 = work->flags[0] && t164;
-    const uint32_t t166 = t165 ? 1U : 0U;
+    work->flags[2] = work->flags[0] && t164;
+    const uint32_t t166 = work->flags[2] ? 1U : 0U;
     state->known = t166;
-    const float t168 = 0.001f * t159;
-    const float t170 = 5e-7f * t163;
-    const float t171 = t155 + t168;
+    const float t168 = 0.001f * work->t160;
+    const float t170 = 5e-7f * work->t163;
+    const float t171 = work->t157 + t168;
     const float t172 = t171 + t170;
     const int t173 = (-1e26f <= t172) && (t172 <= 1e26f);
     const float t174 = t173 ? t172 : 0.0f;
     state->next_q = t174;
-    const float t175 = 0.001f * t163;
-    const float t176 = t159 + t175;
+    const float t175 = 0.001f * work->t163;
+    const float t176 = work->t160 + t175;
     const int t177 = (-1e26f <= t176) && (t176 <= 1e26f);
     const float t178 = t177 ? t176 : 0.0f;
     state->next_dq = t178;
-    const int t179 = (-1e26f <= t163) && (t163 <= 1e26f);
-    const float t180 = t179 ? t163 : 0.0f;
+    const int t179 = (-1e26f <= work->t163) && (work->t163 <= 1e26f);
+    const float t180 = t179 ? work->t163 : 0.0f;
     state->next_ddq = t180;
+}
 
+/* Part 4 of a step. */
+static void lossy_encoder_part_4(const lossy_encoder_state *state, lossy_encoder_work *work)
+{
     /* the estimate; until there is one, the start */
-    work->t181 = t165 ? t155 : work->t8;
-    work->t182 = t165 ? t159 : 0.0f;
-    work->t183 = t165 ? t163 : 0.0f;
+    work->t181 = work->flags[2] ? work->t157 : work->t10;
+    work->t182 = work->flags[2] ? work->t160 : 0.0f;
+    work->t183 = work->flags[2] ? work->t163 : 0.0f;
     const uint32_t t184 = state->coasting;
     const int t185 = t184 == 0U;
     const int t186 = work->flags[1] && t185;
     const lossy_encoder_status t190 = t186 ? LOSSY_ENCODER_CONVERGED : LOSSY_ENCODER_COASTING;
-    work->t191 = t165 ? t190 : LOSSY_ENCODER_CONVERGING;
+    work->t191 = work->flags[2] ? t190 : LOSSY_ENCODER_CONVERGING;
 }
 
 void lossy_encoder_init(lossy_encoder_state *state)
@@ -439,7 +442,7 @@ void lossy_encoder_step(lossy_encoder_state *state, const lossy_encoder_measurem
     lossy_encoder_work work;
     lossy_encoder_part_1(state, measurements, &work);
     lossy_encoder_part_2(state, &work);
-    lossy_encoder_part_3(&work);
+    lossy_encoder_part_3(state, &work);
     lossy_encoder_part_4(state, &work);
 
     estimate->q = work.t181;

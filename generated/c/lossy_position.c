@@ -479,16 +479,16 @@ typedef struct {
     float t9;
     uint32_t t10;
     float t20;
-    uint32_t t32;
-    float t34;
-    float t43;
+    uint32_t t31;
+    float t33;
     float t44;
-    uint32_t t45;
-    float t48;
-    float t51;
-    float t54;
-    float t57;
+    float t47;
+    float t50;
+    float t53;
     float t61;
+    uint32_t t66;
+    float t84;
+    float t85;
     uint32_t t86;
     uint32_t t98;
     float t149;
@@ -569,7 +569,7 @@ typedef struct {
     float t464;
     float t465;
     lossy_position_status t473;
-    int flags[6]; /* t5, t7, t39, t82, t97, t358 */
+    int flags[6]; /* t5, t7, t37, t82, t97, t358 */
 } lossy_position_work;
 
 /* Part 1 of a step. */
@@ -586,9 +586,9 @@ static void lossy_position_part_1(lossy_position_state *state, const lossy_posit
     work->flags[1] = (-1e25f <= t6) && (t6 <= 1e25f);
     const float t8 = state->force[t1];
     work->t9 = work->flags[1] ? t6 : t8;
-    work->t10 = (t1 < 40U) ? (t1 + 1U) : 0U;
 
     /* prediction of what the samples show */
+    work->t10 = (t1 < 40U) ? (t1 + 1U) : 0U;
     const float t11 = state->tanh_20_wheel[t1];
     const float t12 = state->next_position;
     const float t14 = 1.9946774e-5f * work->t9;
@@ -600,71 +600,71 @@ static void lossy_position_part_1(lossy_position_state *state, const lossy_posit
     const float t25 = -0.00018548031f * t11;
     const float t26 = t23 + t25;
     const float t27 = t21 + t26;
-    const uint32_t t30 = state->slot_camera;
-    const uint32_t t31 = (t30 < 40U) ? t30 : 40U;
-    work->t32 = (t31 < 40U) ? (t31 + 1U) : 0U;
-    state->slot_camera = work->t32;
-    const float t33 = state->camera[t31];
-    work->t34 = t3 ? t2 : t33;
-    const float t35 = state->wheel[t1];
-    const int t36 = (-20.0f <= t27) && (t27 <= 20.0f);
-    const uint32_t t37 = state->known;
-    work->flags[2] = t37 == 1U;
-    const int t40 = work->flags[2] && t36;
-    const float t41 = t40 ? t27 : t35;
-    const float t42 = work->flags[0] ? t4 : t41;
-    work->t43 = t3 ? 1.0f : 0.0f;
-    work->t44 = work->flags[0] ? 1.0f : 0.0f;
-    work->t45 = state->count;
-    const float t47 = 20.0f * t42;
-    work->t48 = lossy_position_tanh_f32(t47);
-    const float t49 = -6.653355e-6f * work->t48;
-    const float t50 = t14 + t49;
-    work->t51 = t12 + t50;
-    const float t52 = -0.0019946774f * work->t48;
-    const float t53 = t18 + t52;
-    work->t54 = t16 + t53;
-    const float t55 = -0.00018548031f * work->t48;
-    const float t56 = t23 + t55;
-    work->t57 = t21 + t56;
-    const int t58 = (-20.0f <= work->t57) && (work->t57 <= 20.0f);
+    const uint32_t t29 = state->slot_camera;
+    const uint32_t t30 = (t29 < 40U) ? t29 : 40U;
+    work->t31 = (t30 < 40U) ? (t30 + 1U) : 0U;
+    state->slot_camera = work->t31;
+    const float t32 = state->camera[t30];
+    work->t33 = t3 ? t2 : t32;
+    const float t34 = state->wheel[t1];
+    const uint32_t t35 = state->known;
+    work->flags[2] = t35 == 1U;
+    const int t38 = (-20.0f <= t27) && (t27 <= 20.0f);
+    const int t39 = work->flags[2] && t38;
+    const float t40 = t39 ? t27 : t34;
+    const float t41 = work->flags[0] ? t4 : t40;
+    const float t43 = 20.0f * t41;
+    work->t44 = lossy_position_tanh_f32(t43);
+    const float t45 = -6.653355e-6f * work->t44;
+    const float t46 = t14 + t45;
+    work->t47 = t12 + t46;
+    const float t48 = -0.0019946774f * work->t44;
+    const float t49 = t18 + t48;
+    work->t50 = t16 + t49;
+    const float t51 = -0.00018548031f * work->t44;
+    const float t52 = t23 + t51;
+    work->t53 = t21 + t52;
+    const int t54 = (-20.0f <= work->t53) && (work->t53 <= 20.0f);
+    const int t55 = work->flags[2] && t54;
+    const float t56 = t55 ? work->t53 : t34;
+    const int t57 = !work->flags[0];
+    const int t58 = !t54;
     const int t59 = work->flags[2] && t58;
-    const float t60 = t59 ? work->t57 : t42;
-    work->t61 = work->flags[0] ? t4 : t60;
-    const int t62 = !work->flags[0];
-    const int t63 = !t58;
-    const int t64 = work->flags[2] && t63;
-    const int t65 = t62 && t64;
-    const uint32_t t66 = state->missed_camera;
-    const int t68 = 40U < t66;
-    const int t69 = !t3;
-    const int t70 = t69 && t68;
-    const uint32_t t72 = (t66 < 41U) ? (t66 + 1U) : 41U;
+    const int t60 = t57 && t59;
+    work->t61 = work->flags[0] ? t4 : t56;
+    const int t62 = t3 || work->flags[0];
+    const uint32_t t64 = state->since;
+    const uint32_t t65 = (t64 < 4294967295U) ? (t64 + 1U) : 4294967295U;
+    work->t66 = t62 ? 0U : t65;
+    state->since = work->t66;
+    const uint32_t t67 = state->missed_camera;
+    const int t69 = 40U < t67;
+    const int t70 = !t3;
+    const int t71 = t70 && t69;
+    const uint32_t t72 = (t67 < 41U) ? (t67 + 1U) : 41U;
     const uint32_t t73 = t3 ? 0U : t72;
     state->missed_camera = t73;
     const uint32_t t74 = state->missed_wheel;
     const int t75 = 40U < t74;
-    const int t76 = t62 && t75;
+    const int t76 = t57 && t75;
     const uint32_t t77 = (t74 < 41U) ? (t74 + 1U) : 41U;
     const uint32_t t78 = work->flags[0] ? 0U : t77;
     state->missed_wheel = t78;
-    const int t79 = t70 && t76;
+    const int t79 = t71 && t76;
     const int t80 = !t79;
     const int t81 = t76 && t80;
-    work->flags[3] = t65 || t81;
-    const int t83 = t3 || work->flags[0];
-    const uint32_t t84 = state->since;
-    const uint32_t t85 = (t84 < 4294967295U) ? (t84 + 1U) : 4294967295U;
-    work->t86 = t83 ? 0U : t85;
-    state->since = work->t86;
+    work->flags[3] = t60 || t81;
+    work->t84 = t3 ? 1.0f : 0.0f;
+    work->t85 = work->flags[0] ? 1.0f : 0.0f;
+    work->t86 = state->count;
 }
 
 /* Part 2 of a step. */
 static void lossy_position_part_2(lossy_position_state *state, lossy_position_work *work)
 {
     /* how much of the window is good */
-    const int t87 = 40U < work->t45;
-    const uint32_t t88 = (work->t45 < 44U) ? (work->t45 + 1U) : 44U;
+    const int t87 = 40U < work->t86;
+    const uint32_t t88 = (work->t86 < 44U) ? (work->t86 + 1U) : 44U;
     const uint32_t t89 = work->flags[3] ? 0U : t88;
     const uint32_t t90 = work->flags[1] ? t88 : 1U;
     const uint32_t t91 = t87 ? t89 : t90;
@@ -677,13 +677,13 @@ static void lossy_position_part_2(lossy_position_state *state, lossy_position_wo
 
     /* into the window */
     state->newest = work->t10;
-    state->camera[work->t32] = work->t34;
+    state->camera[work->t31] = work->t33;
     state->wheel[work->t10] = work->t61;
     state->has_camera[work->t10] = 0.0f;
-    state->has_camera[work->t32] = work->t43;
-    state->has_wheel[work->t10] = work->t44;
+    state->has_camera[work->t31] = work->t84;
+    state->has_wheel[work->t10] = work->t85;
     state->force[work->t10] = work->t9;
-    state->tanh_20_wheel[work->t10] = work->t48;
+    state->tanh_20_wheel[work->t10] = work->t44;
     work->flags[4] = 40U < t91;
 }
 
@@ -1027,18 +1027,18 @@ static void lossy_position_part_7(lossy_position_work *work)
 static void lossy_position_part_8(lossy_position_state *state, lossy_position_work *work)
 {
     /* without enough samples, the model's prediction */
-    const int t412 = (-1e25f <= work->t51) && (work->t51 <= 1e25f);
+    const int t412 = (-1e25f <= work->t47) && (work->t47 <= 1e25f);
     const int t413 = work->flags[2] && t412;
-    const float t414 = work->flags[5] ? work->t387 : work->t51;
-    const int t415 = (-1e25f <= work->t54) && (work->t54 <= 1e25f);
+    const float t414 = work->flags[5] ? work->t387 : work->t47;
+    const int t415 = (-1e25f <= work->t50) && (work->t50 <= 1e25f);
     const int t416 = t413 && t415;
-    const float t417 = work->flags[5] ? work->t396 : work->t54;
+    const float t417 = work->flags[5] ? work->t396 : work->t50;
     const int t418 = (-1e25f <= work->t20) && (work->t20 <= 1e25f);
     const int t419 = t416 && t418;
     const float t420 = work->flags[5] ? work->t402 : work->t20;
-    const int t421 = (-1e25f <= work->t57) && (work->t57 <= 1e25f);
+    const int t421 = (-1e25f <= work->t53) && (work->t53 <= 1e25f);
     const int t422 = t419 && t421;
-    const float t423 = work->flags[5] ? work->t411 : work->t57;
+    const float t423 = work->flags[5] ? work->t411 : work->t53;
     const int t424 = work->flags[5] || t422;
     const int t425 = work->flags[4] && t424;
     const uint32_t t426 = t425 ? 1U : 0U;
@@ -1047,7 +1047,7 @@ static void lossy_position_part_8(lossy_position_state *state, lossy_position_wo
     const float t430 = 4.9866932e-5f * t420;
     const float t431 = t414 + t428;
     const float t432 = t431 + t430;
-    const float t434 = -1.3293418e-5f * work->t48;
+    const float t434 = -1.3293418e-5f * work->t44;
     const float t435 = t432 + t434;
     const int t436 = (-1e25f <= t435) && (t435 <= 1e25f);
     const float t437 = t436 ? t435 : 0.0f;
@@ -1055,7 +1055,7 @@ static void lossy_position_part_8(lossy_position_state *state, lossy_position_wo
     const float t439 = 0.99203193f * t417;
     const float t440 = 0.009960107f * t420;
     const float t441 = t439 + t440;
-    const float t443 = -0.0019893653f * work->t48;
+    const float t443 = -0.0019893653f * work->t44;
     const float t444 = t441 + t443;
     const int t445 = (-1e25f <= t444) && (t444 <= 1e25f);
     const float t446 = t445 ? t444 : 0.0f;
@@ -1068,7 +1068,7 @@ static void lossy_position_part_8(lossy_position_state *state, lossy_position_wo
     const float t454 = 0.7408182f * t423;
     const float t455 = t450 + t452;
     const float t456 = t455 + t454;
-    const float t458 = -0.0003572788f * work->t48;
+    const float t458 = -0.0003572788f * work->t44;
     const float t459 = t456 + t458;
     const int t460 = (-1e25f <= t459) && (t459 <= 1e25f);
     const float t461 = t460 ? t459 : 0.0f;
@@ -1135,6 +1135,6 @@ void lossy_position_step(lossy_position_state *state, const lossy_position_measu
     estimate->speed = work.t463;
     estimate->slope = work.t464;
     estimate->wheel = work.t465;
-    estimate->coasted = work.t86;
+    estimate->coasted = work.t66;
     estimate->status = work.t473;
 }

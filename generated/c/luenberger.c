@@ -367,7 +367,6 @@ static void luenberger_part_1(luenberger_state *state, const luenberger_measurem
     const int t3 = (-1e35f <= t2) && (t2 <= 1e35f);
     const float t4 = state->last_u;
     const float t5 = t3 ? t2 : t4;
-    state->last_u = t5;
 
     /* prediction by the plant */
     const float t6 = state->q;
@@ -398,9 +397,9 @@ static void luenberger_part_1(luenberger_state *state, const luenberger_measurem
     const float t43 = t42 + t40;
     const float t45 = -5.8317214e-6f * t9;
     const float t46 = t21 + t45;
-    const int t49 = (-1e35f <= t46) && (t46 <= 1e35f);
-    const float t50 = state->last_y;
-    const float t51 = t49 ? t46 : t50;
+    const float t49 = state->last_y;
+    const int t50 = (-1e35f <= t46) && (t46 <= 1e35f);
+    const float t51 = t50 ? t46 : t49;
     work->t52 = work->flags[0] ? t0 : t51;
     const float t53 = luenberger_sin_f32(work->t52);
     const float t54 = -5.8317214e-6f * t53;
@@ -409,6 +408,7 @@ static void luenberger_part_1(luenberger_state *state, const luenberger_measurem
     const float t57 = t32 + t56;
     const float t58 = 0.00020207113f * t53;
     const float t59 = t43 + t58;
+    state->last_u = t5;
     state->last_known1 = t53;
     state->last_y = work->t52;
     work->flags[1] = t3 && work->flags[0];
@@ -472,8 +472,8 @@ void luenberger_init(luenberger_state *state)
     state->good = 0U;
     state->clean = 0U;
     state->last_y = 0.0f;
-    state->last_known1 = 0.0f;
     state->last_u = 0.0f;
+    state->last_known1 = 0.0f;
 }
 
 void luenberger_step(luenberger_state *state, const luenberger_measurements *measurements,

@@ -88,8 +88,8 @@ typedef struct {
     uint32_t good;     /* good calls, at most 416 */
     uint32_t clean;    /* good calls in a row, at most 426 */
     float last_y;      /* the last y, measured or predicted */
+    float last_u;      /* u of the last call */
     float last_known1; /* sin(q) of the last call */
-    float last_u;      /* the last good value */
 } luenberger_state;
 
 /* Back to the state before the first sample. */

@@ -75,7 +75,7 @@ static const float MAGNETIC_LEVITATION_WINDOW[40][6] = {
 
 /* What one part of a step hands to the next. */
 typedef struct {
-    uint32_t t11;
+    uint32_t t20;
     float t44;
     uint32_t t53;
     float t107;
@@ -100,38 +100,38 @@ static void magnetic_levitation_part_1(magnetic_levitation_state *state, const m
     state->last_current = t10;
 
     /* prediction, for a sample that is missing */
-    work->t11 = (t1 < 40U) ? (t1 + 1U) : 0U;
-    const float t12 = t10 * t10;
-    const float t14 = state->gap[t1];
-    const float t15 = t14 * t14;
-    const float t16 = 0.136f * t15;
-    const float t17 = t12 / t16;
-    const int t18 = (-1e34f <= t17) && (t17 <= 1e34f);
-    const float t19 = state->injection[t1];
-    const float t20 = t18 ? t17 : t19;
+    const float t11 = t10 * t10;
+    const float t13 = state->gap[t1];
+    const float t14 = t13 * t13;
+    const float t15 = 0.136f * t14;
+    const float t16 = t11 / t15;
+    const int t17 = (-1e34f <= t16) && (t16 <= 1e34f);
+    const float t18 = state->injection[t1];
+    const float t19 = t17 ? t16 : t18;
+    work->t20 = (t1 < 40U) ? (t1 + 1U) : 0U;
     const float t21 = state->ahead_gap;
-    const float t23 = -3.265e-13f * t20;
+    const float t23 = -3.265e-13f * t19;
     const float t24 = t21 + t23;
     const int t25 = (0.001f <= t24) && (t24 <= 0.03f);
     const int t26 = t4 && t25;
-    const float t27 = t26 ? t24 : t14;
+    const float t27 = t26 ? t24 : t13;
     const float t28 = t6 ? t5 : t27;
     const float t29 = t28 * t28;
     const float t30 = 0.136f * t29;
-    const float t31 = t12 / t30;
+    const float t31 = t11 / t30;
     const int t32 = (-1e34f <= t31) && (t31 <= 1e34f);
     const float t33 = state->injection_2[t1];
     const float t34 = t32 ? t31 : t33;
-    const float t35 = t34 - t20;
+    const float t35 = t34 - t19;
     const float t37 = -1.0883333e-13f * t35;
     const float t38 = t24 + t37;
     const int t39 = (0.001f <= t38) && (t38 <= 0.03f);
     const int t40 = t4 && t39;
-    const float t41 = t40 ? t38 : t14;
+    const float t41 = t40 ? t38 : t13;
     const int t42 = t6 || t40;
     const int t43 = !t42;
     work->t44 = t6 ? t5 : t41;
-    const int t45 = t8 && t18;
+    const int t45 = t8 && t17;
     const int t46 = t45 && t32;
 
     /* how much of the window is good */
@@ -148,10 +148,10 @@ static void magnetic_levitation_part_1(magnetic_levitation_state *state, const m
     state->coasting = t58;
 
     /* into the window */
-    state->newest = work->t11;
-    state->gap[work->t11] = work->t44;
-    state->injection[work->t11] = t20;
-    state->injection_2[work->t11] = t34;
+    state->newest = work->t20;
+    state->gap[work->t20] = work->t44;
+    state->injection[work->t20] = t19;
+    state->injection_2[work->t20] = t34;
 }
 
 /* Part 2 of a step. */
@@ -164,7 +164,7 @@ static void magnetic_levitation_part_2(magnetic_levitation_state *state, magneti
     float t63 = 0.0f;
     float t64 = 0.0f;
     float t65 = 0.0f;
-    uint32_t t66 = work->t11;
+    uint32_t t66 = work->t20;
     for (uint32_t row = 0U; row < 40U; ++row) {
         const float *const gains = MAGNETIC_LEVITATION_WINDOW[row];
         const float t67 = state->gap[t66];

@@ -1517,23 +1517,23 @@ static void mass_chain_part_2(mass_chain_state *state, mass_chain_work *work)
     const int t71 = t70 && t65;
     const int t72 = !t71;
     const int t73 = t69 && t72;
-    const int t74 = work->flags[1] && work->flags[2];
-    const int t75 = t74 && work->flags[3];
-    const int t76 = t44 || t46;
-    const int t77 = t76 || t48;
-    const int t78 = t77 || t73;
+    const int t74 = t44 || t46;
+    const int t75 = t74 || t48;
+    const int t76 = t75 || t73;
+    const int t77 = work->flags[1] && work->flags[2];
+    const int t78 = t77 && work->flags[3];
 
     /* how much of the window is good */
     const uint32_t t80 = (work->t2 < 61U) ? (work->t2 + 1U) : 61U;
-    const uint32_t t81 = t78 ? 0U : t80;
+    const uint32_t t81 = t76 ? 0U : t80;
     const uint32_t t82 = work->flags[4] ? t80 : 1U;
-    const uint32_t t83 = t75 ? t82 : 0U;
+    const uint32_t t83 = t78 ? t82 : 0U;
     work->t84 = work->flags[0] ? t81 : t83;
     state->count = work->t84;
     const uint32_t t85 = state->coasting;
     const uint32_t t86 = (t85 > 0U) ? (t85 - 1U) : 0U;
     const uint32_t t87 = work->flags[4] ? t86 : 60U;
-    const uint32_t t89 = t75 ? t87 : 61U;
+    const uint32_t t89 = t78 ? t87 : 61U;
     state->coasting = t89;
 
     /* into the window */

@@ -83,7 +83,7 @@ typedef struct {
     uint32_t left;    /* calls of the countdown that are left */
     uint32_t good;    /* good calls, at most 91 */
     uint32_t clean;   /* good calls in a row, at most 40 */
-    float last_force; /* the last good value */
+    float last_force; /* force of the last call */
 } oscillator_state;
 
 /* Back to the state before the first sample. */

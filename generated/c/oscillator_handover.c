@@ -41,7 +41,6 @@ static void oscillator_handover_part_1(oscillator_handover_state *state, const o
     const int t3 = (-1e35f <= t2) && (t2 <= 1e35f);
     const float t4 = state->last_force;
     const float t5 = t3 ? t2 : t4;
-    state->last_force = t5;
 
     /* prediction by the plant */
     const float t6 = state->position;
@@ -56,6 +55,7 @@ static void oscillator_handover_part_1(oscillator_handover_state *state, const o
     const float t20 = 0.009975869f * t5;
     const float t21 = t17 + t19;
     const float t22 = t21 + t20;
+    state->last_force = t5;
     const int t23 = t3 && t1;
 
     /* correction by the innovation */

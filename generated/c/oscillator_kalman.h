@@ -80,7 +80,7 @@ typedef struct {
     uint32_t left;    /* calls of the countdown that are left */
     uint32_t good;    /* good calls, at most 101 */
     uint32_t clean;   /* good calls in a row, at most 231 */
-    float last_force; /* the last good value */
+    float last_force; /* force of the last call */
 } oscillator_kalman_state;
 
 /* Back to the state before the first sample. */

@@ -83,7 +83,7 @@ typedef struct {
     uint32_t left;    /* calls of the countdown that are left */
     uint32_t good;    /* good calls, at most 91 */
     uint32_t clean;   /* good calls in a row, at most 40 */
-    float last_force; /* the last good value */
+    float last_force; /* force of the last call */
     uint32_t given;   /* 1 from a given state until the first good call */
 } oscillator_known_start_state;
 

@@ -393,13 +393,13 @@ typedef struct {
     uint32_t t4;
     double t34;
     double t49;
-    uint32_t t69;
-    double t72;
+    uint32_t t68;
+    double t71;
+    double t79;
     double t80;
-    double t81;
     double t112;
     pendulum_discrete_status t117;
-    int flags[6]; /* t3, t6, t48, t50, t70, t83 */
+    int flags[6]; /* t3, t6, t48, t69, t82, t83 */
 } pendulum_discrete_work;
 
 /* Part 1 of a step. */
@@ -414,20 +414,20 @@ static void pendulum_discrete_part_1(const pendulum_discrete_state *state, const
     const double t7 = measurements->x1;
     const int t8 = (-1e305 <= t7) && (t7 <= 1e305);
     const int t9 = work->flags[0] && t8;
-    const double t10 = state->x1_1;
 
     /* prediction, for a sample that is missing or not measured now */
-    const double t11 = state->sin_x1_1;
-    const double t12 = state->z1_x2;
-    const double t14 = 0.025 * t12;
-    const double t16 = -0.00010416666666666667 * t11;
-    const double t18 = -0.00020833333333333335 * t11;
-    const double t19 = t14 + t10;
+    const double t10 = state->sin_x1_1;
+    const double t11 = state->z1_x2;
+    const double t12 = state->x1_1;
+    const double t14 = 0.025 * t11;
+    const double t16 = -0.00010416666666666667 * t10;
+    const double t18 = -0.00020833333333333335 * t10;
+    const double t19 = t14 + t12;
     const double t20 = t19 + t16;
     const double t21 = t20 + t18;
     const int t22 = (-1e305 <= t21) && (t21 <= 1e305);
     const int t23 = work->flags[1] && t22;
-    const double t24 = t23 ? t21 : t10;
+    const double t24 = t23 ? t21 : t12;
     const int t27 = -1e305 < t21;
     const double t28 = t27 ? t21 : -1e305;
     const int t29 = 1e305 < t28;
@@ -436,12 +436,12 @@ static void pendulum_discrete_part_1(const pendulum_discrete_state *state, const
     const double t32 = work->flags[0] ? t24 : t30;
     const double t33 = t9 ? t7 : t32;
     work->t34 = pendulum_discrete_sin_f64(t33);
-    const double t35 = work->t34 - t11;
+    const double t35 = work->t34 - t10;
     const double t36 = -0.00010416666666666667 * t35;
     const double t37 = t21 + t36;
     const int t38 = (-1e305 <= t37) && (t37 <= 1e305);
     const int t39 = work->flags[1] && t38;
-    const double t40 = t39 ? t37 : t10;
+    const double t40 = t39 ? t37 : t12;
     const int t41 = -1e305 < t37;
     const double t42 = t41 ? t37 : -1e305;
     const int t43 = 1e305 < t42;
@@ -451,75 +451,75 @@ static void pendulum_discrete_part_1(const pendulum_discrete_state *state, const
     const int t47 = t9 || t46;
     work->flags[2] = !t47;
     work->t49 = t9 ? t7 : t45;
-    work->flags[3] = t9 || t31;
 
     /* both copies, one call on */
-    const double t52 = -0.0125 * work->t34;
-    const double t53 = -0.0125 * t11;
-    const double t54 = t12 + t52;
-    const double t55 = t54 + t53;
-    const double t56 = state->z2_x2;
-    const double t58 = 0.975 * t56;
-    const double t60 = -0.025 * t10;
-    const double t62 = -0.012395833333333333 * work->t34;
-    const double t64 = -0.012291666666666666 * t11;
-    const double t65 = t58 + t60;
-    const double t66 = t65 + t62;
-    const double t67 = t66 + t64;
+    const double t51 = -0.0125 * work->t34;
+    const double t52 = -0.0125 * t10;
+    const double t53 = t11 + t51;
+    const double t54 = t53 + t52;
+    const double t55 = state->z2_x2;
+    const double t57 = 0.975 * t55;
+    const double t59 = -0.025 * t12;
+    const double t61 = -0.012395833333333333 * work->t34;
+    const double t63 = -0.012291666666666666 * t10;
+    const double t64 = t57 + t59;
+    const double t65 = t64 + t61;
+    const double t66 = t65 + t63;
 
     /* the reset, when a period is full */
-    const uint32_t t68 = state->phase;
-    work->t69 = (t68 < 39U) ? (t68 + 1U) : 0U;
-    work->flags[4] = work->t69 == 0U;
-    const double t71 = -1.0;
-    work->t72 = t71 * work->t49;
-    const double t73 = t67 - work->t72;
-    const double t74 = t55 - t73;
-    const double t76 = -1.5704317597836237 * t74;
-    const double t77 = t55 + t76;
-    const int t78 = (-7.115863519567243e305 <= t77) && (t77 <= 7.115863519567243e305);
-    const double t79 = t77 + work->t72;
-    work->t80 = work->flags[4] ? t77 : t55;
-    work->t81 = work->flags[4] ? t79 : t67;
-    const int t82 = !t78;
-    work->flags[5] = work->flags[4] && t82;
+    const uint32_t t67 = state->phase;
+    work->t68 = (t67 < 39U) ? (t67 + 1U) : 0U;
+    work->flags[3] = work->t68 == 0U;
+    const double t70 = -1.0;
+    work->t71 = t70 * work->t49;
+    const double t72 = t66 - work->t71;
+    const double t73 = t54 - t72;
+    const double t75 = -1.5704317597836237 * t73;
+    const double t76 = t54 + t75;
+    const int t77 = (-7.115863519567243e305 <= t76) && (t76 <= 7.115863519567243e305);
+    const double t78 = t76 + work->t71;
+    work->t79 = work->flags[3] ? t76 : t54;
+    work->t80 = work->flags[3] ? t78 : t66;
+    const int t81 = !t77;
+    work->flags[4] = work->flags[3] && t81;
+    work->flags[5] = t9 || t31;
 }
 
 /* Part 2 of a step. */
 static void pendulum_discrete_part_2(pendulum_discrete_state *state, pendulum_discrete_work *work)
 {
     /* how much of the period is good */
-    const int t84 = work->flags[2] || work->flags[5];
+    const int t84 = work->flags[2] || work->flags[4];
     const uint32_t t86 = (work->t4 < 161U) ? (work->t4 + 1U) : 161U;
     const uint32_t t87 = work->flags[0] ? 1U : 0U;
     const int t88 = work->t4 == 0U;
     const uint32_t t89 = t88 ? t87 : t86;
-    const int t90 = work->flags[1] || work->flags[3];
+    const int t90 = work->flags[1] || work->flags[5];
     const uint32_t t91 = work->flags[1] ? t86 : t89;
     const uint32_t t92 = t90 ? t91 : 0U;
     const uint32_t t93 = t84 ? 0U : t92;
     state->count = t93;
     const uint32_t t94 = state->clean;
     const uint32_t t95 = (t94 < 161U) ? (t94 + 1U) : 161U;
-    const uint32_t t96 = work->flags[3] ? t95 : 0U;
+    const uint32_t t96 = work->flags[5] ? t95 : 0U;
     state->clean = t96;
     const int t97 = 160U < t96;
-    const int t98 = work->flags[4] && t97;
+    const int t98 = work->flags[3] && t97;
     const uint32_t t99 = state->coasting;
     const uint32_t t100 = t98 ? 0U : t99;
-    const uint32_t t101 = work->flags[3] ? t100 : 1U;
+    const uint32_t t101 = work->flags[5] ? t100 : 1U;
     state->coasting = t101;
     const int t102 = t101 == 0U;
     const int t104 = t93 < 2U;
     const int t105 = 160U < t93;
 
     /* for the next call */
-    const double t107 = t104 ? 0.0 : work->t80;
-    const double t108 = 0.0 + work->t72;
-    const double t109 = t104 ? t108 : work->t81;
+    const double t107 = t104 ? 0.0 : work->t79;
+    const double t108 = 0.0 + work->t71;
+    const double t109 = t104 ? t108 : work->t80;
     state->z1_x2 = t107;
     state->z2_x2 = t109;
-    const uint32_t t110 = t104 ? 0U : work->t69;
+    const uint32_t t110 = t104 ? 0U : work->t68;
     state->phase = t110;
     state->x1_1 = work->t49;
     state->sin_x1_1 = work->t34;

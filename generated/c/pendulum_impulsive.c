@@ -365,43 +365,43 @@ static void pendulum_impulsive_part_1(pendulum_impulsive_state *state, const pen
     const int t2 = 50U < t0;
     const float t3 = measurements->theta;
     const int t4 = (-1e34f <= t3) && (t3 <= 1e34f);
-    const float t5 = state->theta_1;
 
     /* prediction, for a sample that is missing or not measured now */
-    const float t6 = state->sin_theta_1;
-    const float t7 = state->z1_omega;
-    const float t9 = 0.0009999664f * t7;
-    const float t11 = 1.070297e-5f * t6;
-    const float t13 = 2.140576e-5f * t6;
-    const float t14 = t9 + t5;
+    const float t5 = state->sin_theta_1;
+    const float t6 = state->z1_omega;
+    const float t7 = state->theta_1;
+    const float t9 = 0.0009999664f * t6;
+    const float t11 = 1.070297e-5f * t5;
+    const float t13 = 2.140576e-5f * t5;
+    const float t14 = t9 + t7;
     const float t15 = t14 + t11;
     const float t16 = t15 + t13;
     const int t17 = (-1e34f <= t16) && (t16 <= 1e34f);
     const int t18 = t2 && t17;
-    const float t19 = t18 ? t16 : t5;
+    const float t19 = t18 ? t16 : t7;
     const float t20 = t4 ? t3 : t19;
     work->t21 = pendulum_impulsive_sin_f32(t20);
-    const float t22 = work->t21 - t6;
+    const float t22 = work->t21 - t5;
     const float t23 = 1.070297e-5f * t22;
     const float t24 = t16 + t23;
     const int t25 = (-1e34f <= t24) && (t24 <= 1e34f);
     const int t26 = t2 && t25;
-    const float t27 = t26 ? t24 : t5;
+    const float t27 = t26 ? t24 : t7;
     const int t28 = t4 || t26;
     const int t29 = !t28;
     work->t30 = t4 ? t3 : t27;
 
     /* both copies, one call on */
-    const float t32 = 0.99993277f * t7;
+    const float t32 = 0.99993277f * t6;
     const float t34 = 0.03210873f * work->t21;
-    const float t36 = 0.032108013f * t6;
+    const float t36 = 0.032108013f * t5;
     const float t37 = t32 + t34;
     const float t38 = t37 + t36;
     const float t39 = state->z2_omega;
     const float t41 = 1.0018027f * t39;
-    const float t43 = -0.0033710722f * t5;
+    const float t43 = -0.0033710722f * t7;
     const float t45 = 0.032128744f * work->t21;
-    const float t47 = 0.03214804f * t6;
+    const float t47 = 0.03214804f * t5;
     const float t48 = t41 + t43;
     const float t49 = t48 + t45;
     const float t50 = t49 + t47;

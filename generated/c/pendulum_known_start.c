@@ -371,43 +371,43 @@ static void pendulum_known_start_part_1(const pendulum_known_start_state *state,
     const int t6 = work->flags[0] || work->flags[1];
     const float t7 = measurements->theta;
     work->flags[2] = (-1e34f <= t7) && (t7 <= 1e34f);
-    const float t9 = state->theta_1;
 
     /* prediction, for a sample that is missing or not measured now */
-    const float t10 = state->sin_theta_1;
-    const float t11 = state->z1_omega;
-    const float t13 = 0.0009999664f * t11;
-    const float t15 = 1.070297e-5f * t10;
-    const float t17 = 2.140576e-5f * t10;
-    const float t18 = t13 + t9;
+    const float t9 = state->sin_theta_1;
+    const float t10 = state->z1_omega;
+    const float t11 = state->theta_1;
+    const float t13 = 0.0009999664f * t10;
+    const float t15 = 1.070297e-5f * t9;
+    const float t17 = 2.140576e-5f * t9;
+    const float t18 = t13 + t11;
     const float t19 = t18 + t15;
     const float t20 = t19 + t17;
     const int t21 = (-1e34f <= t20) && (t20 <= 1e34f);
     const int t22 = t6 && t21;
-    const float t23 = t22 ? t20 : t9;
+    const float t23 = t22 ? t20 : t11;
     const float t24 = work->flags[2] ? t7 : t23;
     work->t25 = pendulum_known_start_sin_f32(t24);
-    const float t26 = work->t25 - t10;
+    const float t26 = work->t25 - t9;
     const float t27 = 1.070297e-5f * t26;
     const float t28 = t20 + t27;
     const int t29 = (-1e34f <= t28) && (t28 <= 1e34f);
     const int t30 = t6 && t29;
-    const float t31 = t30 ? t28 : t9;
+    const float t31 = t30 ? t28 : t11;
     const int t32 = work->flags[2] || t30;
     work->flags[3] = !t32;
     work->t34 = work->flags[2] ? t7 : t31;
 
     /* both copies, one call on */
-    const float t36 = 0.99993277f * t11;
+    const float t36 = 0.99993277f * t10;
     const float t38 = 0.03210873f * work->t25;
-    const float t40 = 0.032108013f * t10;
+    const float t40 = 0.032108013f * t9;
     const float t41 = t36 + t38;
     work->t42 = t41 + t40;
     const float t43 = state->z2_omega;
     const float t45 = 1.0018027f * t43;
-    const float t47 = -0.0033710722f * t9;
+    const float t47 = -0.0033710722f * t11;
     const float t49 = 0.032128744f * work->t25;
-    const float t51 = 0.03214804f * t10;
+    const float t51 = 0.03214804f * t9;
     const float t52 = t45 + t47;
     const float t53 = t52 + t49;
     const float t54 = t53 + t51;

@@ -371,9 +371,9 @@ static void pendulum_prescribed_part_1(pendulum_prescribed_state *state, const p
     const float t15 = t12 + t14;
     const float t17 = 1.070297e-5f * t4;
     const float t18 = t10 + t17;
-    const int t20 = (-1e34f <= t18) && (t18 <= 1e34f);
-    const float t21 = state->last_theta;
-    const float t22 = t20 ? t18 : t21;
+    const float t20 = state->last_theta;
+    const int t21 = (-1e34f <= t18) && (t18 <= 1e34f);
+    const float t22 = t21 ? t18 : t20;
     const float t23 = t1 ? t0 : t22;
     const float t24 = pendulum_prescribed_sin_f32(t23);
     const float t25 = 1.070297e-5f * t24;

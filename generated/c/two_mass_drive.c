@@ -768,20 +768,20 @@ static void two_mass_drive_part_1(two_mass_drive_state *state, const two_mass_dr
     const int t64 = t53 && t60;
     const int t65 = !t64;
     const int t66 = t63 && t65;
-    const int t67 = t6 && t8;
-    const int t68 = t67 && t10;
-    const int t69 = t36 || t48;
-    const int t70 = t69 || t66;
+    const int t67 = t36 || t48;
+    const int t68 = t67 || t66;
+    const int t69 = t6 && t8;
+    const int t70 = t69 && t10;
 
     /* how much of the window is good */
     const uint32_t t71 = (t2 < 41U) ? (t2 + 1U) : 41U;
-    const uint32_t t72 = t70 ? 0U : t71;
-    const uint32_t t73 = t68 ? t71 : 0U;
+    const uint32_t t72 = t68 ? 0U : t71;
+    const uint32_t t73 = t70 ? t71 : 0U;
     work->t74 = t4 ? t72 : t73;
     state->count = work->t74;
     const uint32_t t75 = state->coasting;
     const uint32_t t76 = (t75 > 0U) ? (t75 - 1U) : 0U;
-    const uint32_t t78 = t68 ? t76 : 41U;
+    const uint32_t t78 = t70 ? t76 : 41U;
     state->coasting = t78;
 }
 

@@ -27,8 +27,8 @@
  *   error bound from noise                   7.057e-5     6.843e-4    0.08838      0.1892
  *
  * Cost       32 multiplications, 30 additions a call, the same for every call
- * Memory     state 56 bytes, constants 0 bytes
- *            at most: stack 2440 bytes, flash 5296 bytes without elementary functions
+ * Memory     state 48 bytes, constants 0 bytes
+ *            at most: stack 2424 bytes, flash 5264 bytes without elementary functions
  *
  * Contract:
  *  1. No heap, no recursion, no global or static mutable data, no file or console, no library.
@@ -88,8 +88,7 @@ typedef struct {
     double load_speed;  /* load_speed as last estimated */
     uint32_t good;      /* good calls, at most 114 */
     uint32_t clean;     /* good calls in a row, at most 125 */
-    double last_known0; /* torque of the last call */
-    double last_torque; /* the last good value */
+    double last_torque; /* torque of the last call */
 } two_mass_kalman_state;
 
 /* Back to the state before the first sample. */

@@ -24,7 +24,7 @@
  *
  * Cost       1328 multiplications, 1081 additions, 6 divisions a call, the same for every call
  * Memory     state 856 bytes, constants 960 bytes
- *            at most: stack 2556 bytes, flash 10616 bytes without elementary functions
+ *            at most: stack 2540 bytes, flash 10576 bytes without elementary functions
  *
  * Contract:
  *  1. No heap, no recursion, no global or static mutable data, no file or console, no library.

@@ -1246,21 +1246,21 @@ static void unknown_force_part_1(unknown_force_state *state, const unknown_force
     const int t50 = t39 && t46;
     const int t51 = !t50;
     const int t52 = t49 && t51;
-    const int t53 = t6 && t8;
-    const int t54 = t33 || t35;
-    const int t55 = t54 || t52;
+    const int t53 = t33 || t35;
+    const int t54 = t53 || t52;
+    const int t55 = t6 && t8;
 
     /* how much of the window is good */
     const uint32_t t57 = (t2 < 101U) ? (t2 + 1U) : 101U;
-    const uint32_t t58 = t55 ? 0U : t57;
+    const uint32_t t58 = t54 ? 0U : t57;
     const uint32_t t59 = t10 ? t57 : 1U;
-    const uint32_t t60 = t53 ? t59 : 0U;
+    const uint32_t t60 = t55 ? t59 : 0U;
     work->t61 = t4 ? t58 : t60;
     state->count = work->t61;
     const uint32_t t62 = state->coasting;
     const uint32_t t63 = (t62 > 0U) ? (t62 - 1U) : 0U;
     const uint32_t t64 = t10 ? t63 : 100U;
-    const uint32_t t66 = t53 ? t64 : 101U;
+    const uint32_t t66 = t55 ? t64 : 101U;
     state->coasting = t66;
 
     /* into the window */

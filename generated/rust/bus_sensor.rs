@@ -28,7 +28,7 @@
 //!
 //! Cost       2732 multiplications, 2374 additions, 6 divisions a call, the same for every call
 //! Memory     state 1680 bytes, constants 3600 bytes
-//!            at most: stack 6820 bytes, flash 17420 bytes without elementary functions
+//!            at most: stack 6772 bytes, flash 17348 bytes without elementary functions
 //!
 //! Contract:
 //!  1. No heap, no recursion, no global or static mutable data, no file or console, no library.
@@ -376,121 +376,125 @@ static ROWS: [[f64; 9]; 50] = [
 
 /// What one part of a step hands to the next.
 struct Work {
-    t007: f64,
-    t008: usize,
-    t061: f64,
-    t064: usize,
-    t076: usize,
-    t172: f64,
-    t174: f64,
-    t176: f64,
-    t178: f64,
-    t180: f64,
-    t182: f64,
+    t015: usize,
+    t019: f64,
+    t023: f64,
+    t027: f64,
+    t034: usize,
+    t076: f64,
+    t088: usize,
     t184: f64,
     t186: f64,
     t188: f64,
-    t189: f64,
     t190: f64,
-    t191: f64,
     t192: f64,
-    t193: f64,
     t194: f64,
-    t195: f64,
     t196: f64,
-    t197: f64,
     t198: f64,
-    t199: f64,
     t200: f64,
-    t201: usize,
-    t202: usize,
+    t201: f64,
+    t202: f64,
+    t203: f64,
+    t204: f64,
+    t205: f64,
+    t206: f64,
+    t207: f64,
+    t208: f64,
+    t209: f64,
+    t210: f64,
+    t211: f64,
     t212: f64,
-    t220: f64,
-    t228: f64,
-    t281: f64,
-    t288: f64,
-    t295: f64,
-    t296: f64,
+    t213: usize,
+    t214: usize,
+    t223: f64,
+    t230: f64,
+    t237: f64,
+    t290: f64,
     t297: f64,
-    t299: f64,
-    t300: f64,
-    t307: f64,
+    t304: f64,
+    t305: f64,
+    t306: f64,
+    t308: f64,
     t309: f64,
-    t311: f64,
-    t313: f64,
-    t315: f64,
-    t317: f64,
-    t319: f64,
-    t321: f64,
-    t323: f64,
-    t366: f64,
-    t372: f64,
-    t378: f64,
-    t427: f64,
-    t428: f64,
-    t429: f64,
-    t437: Status,
-    /// t75, t348
+    t316: f64,
+    t318: f64,
+    t320: f64,
+    t322: f64,
+    t324: f64,
+    t326: f64,
+    t328: f64,
+    t330: f64,
+    t332: f64,
+    t375: f64,
+    t381: f64,
+    t387: f64,
+    t424: f64,
+    t425: f64,
+    t426: f64,
+    t434: Status,
+    /// t87, t357
     flags: [bool; 2],
 }
 
 impl Work {
     /// Before the first part.
     const EMPTY: Self = Self {
-        t007: 0.0,
-        t008: 0,
-        t061: 0.0,
-        t064: 0,
-        t076: 0,
-        t172: 0.0,
-        t174: 0.0,
-        t176: 0.0,
-        t178: 0.0,
-        t180: 0.0,
-        t182: 0.0,
+        t015: 0,
+        t019: 0.0,
+        t023: 0.0,
+        t027: 0.0,
+        t034: 0,
+        t076: 0.0,
+        t088: 0,
         t184: 0.0,
         t186: 0.0,
         t188: 0.0,
-        t189: 0.0,
         t190: 0.0,
-        t191: 0.0,
         t192: 0.0,
-        t193: 0.0,
         t194: 0.0,
-        t195: 0.0,
         t196: 0.0,
-        t197: 0.0,
         t198: 0.0,
-        t199: 0.0,
         t200: 0.0,
-        t201: 0,
-        t202: 0,
+        t201: 0.0,
+        t202: 0.0,
+        t203: 0.0,
+        t204: 0.0,
+        t205: 0.0,
+        t206: 0.0,
+        t207: 0.0,
+        t208: 0.0,
+        t209: 0.0,
+        t210: 0.0,
+        t211: 0.0,
         t212: 0.0,
-        t220: 0.0,
-        t228: 0.0,
-        t281: 0.0,
-        t288: 0.0,
-        t295: 0.0,
-        t296: 0.0,
+        t213: 0,
+        t214: 0,
+        t223: 0.0,
+        t230: 0.0,
+        t237: 0.0,
+        t290: 0.0,
         t297: 0.0,
-        t299: 0.0,
-        t300: 0.0,
-        t307: 0.0,
+        t304: 0.0,
+        t305: 0.0,
+        t306: 0.0,
+        t308: 0.0,
         t309: 0.0,
-        t311: 0.0,
-        t313: 0.0,
-        t315: 0.0,
-        t317: 0.0,
-        t319: 0.0,
-        t321: 0.0,
-        t323: 0.0,
-        t366: 0.0,
-        t372: 0.0,
-        t378: 0.0,
-        t427: 0.0,
-        t428: 0.0,
-        t429: 0.0,
-        t437: Status::Converging,
+        t316: 0.0,
+        t318: 0.0,
+        t320: 0.0,
+        t322: 0.0,
+        t324: 0.0,
+        t326: 0.0,
+        t328: 0.0,
+        t330: 0.0,
+        t332: 0.0,
+        t375: 0.0,
+        t381: 0.0,
+        t387: 0.0,
+        t424: 0.0,
+        t425: 0.0,
+        t426: 0.0,
+        t434: Status::Converging,
         flags: [false; 2],
     };
 }
@@ -526,11 +530,11 @@ impl Observer {
         Self::part_6(&mut work);
         self.part_7(&mut work);
         Estimate {
-            q: work.t427,
-            dq: work.t428,
-            i: work.t429,
-            coasted: ::deadbeat::math::u32_from_index(work.t064),
-            status: work.t437,
+            q: work.t424,
+            dq: work.t425,
+            i: work.t426,
+            coasted: ::deadbeat::math::u32_from_index(work.t034),
+            status: work.t434,
         }
     }
 
@@ -544,426 +548,426 @@ impl Observer {
         let t004 = inputs.u;
         let t005 = (-1e297..=1e297).contains(&t004);
         let t006 = self.u[t001];
-        work.t007 = if t005 { t004 } else { t006 };
-        work.t008 = if t001 < 50 { t001 + 1 } else { 0 };
-        let t009 = measurements.y_age;
-        let t010 = (0.0..=0.001).contains(&t009);
-        let t011 = t003 && t010;
-        let t013 = t009 * 1000.0;
-        let t015 = if t011 { t013 } else { 0.0 };
-        let t017 = self.y[t001];
-        let t018 = if t011 { t002 } else { t017 };
-        let t019 = self.calls;
-        let t021 = 0 < t019;
-        let t022 = t011 && t021;
-        let t023 = if t022 { 1.0 } else { 0.0 };
-        let t024 = self.count;
-        let t026 = 8.744_465_871_977_893e-24 * t015;
-        let t028 = t026 + 5.764_099_547_707_89e-22;
-        let t029 = t028 * t015;
-        let t031 = t029 + 3.507_256_686_138_31e-20;
-        let t032 = t031 * t015;
-        let t034 = t032 + 1.956_208_177_981_075e-18;
-        let t035 = t034 * t015;
-        let t037 = t035 + 9.919_045_977_187_666e-17;
-        let t038 = t037 * t015;
-        let t040 = t038 + 4.526_549_207_812_5e-15;
-        let t041 = t040 * t015;
-        let t043 = t041 + 1.836_166_522_619_047_5e-13;
-        let t044 = t043 * t015;
-        let t046 = t044 + 6.517_257_5e-12;
-        let t047 = t046 * t015;
-        let t049 = t047 + 1.98275e-10;
-        let t050 = t049 * t015;
-        let t052 = t050 + 5.025e-9;
-        let t053 = t052 * t015;
-        let t055 = t053 + 1e-7;
-        let t056 = t055 * t015;
-        let t057 = t056 * t015;
-        let t058 = t057 * t015;
-        let t059 = t058 * work.t007;
-        let t060 = t018 + t059;
-        work.t061 = if t011 { t060 } else { t018 };
-        let t062 = self.since;
-        let t063 = if t062 < 4_294_967_295 { t062 + 1 } else { 4_294_967_295 };
-        work.t064 = if t011 { 0 } else { t063 };
-        self.since = work.t064;
+        let t007 = if t005 { t004 } else { t006 };
+        let t008 = measurements.y_age;
+        let t009 = (0.0..=0.001).contains(&t008);
+        let t010 = t003 && t009;
+        let t012 = t008 * 1000.0;
+        let t014 = if t010 { t012 } else { 0.0 };
+        work.t015 = if t001 < 50 { t001 + 1 } else { 0 };
+        let t016 = self.next_q;
+        let t018 = 9.516_693_692_987_18e-8 * t007;
+        work.t019 = t016 + t018;
+        let t020 = self.next_dq;
+        let t022 = 0.000_280_853_521_432_703_24 * t007;
+        work.t023 = t020 + t022;
+        let t024 = self.next_i;
+        let t026 = 0.036_250_553_411_900_64 * t007;
+        work.t027 = t024 + t026;
+        let t029 = self.y[t001];
+        let t030 = if t010 { t002 } else { t029 };
+        let t032 = self.since;
+        let t033 = if t032 < 4_294_967_295 { t032 + 1 } else { 4_294_967_295 };
+        work.t034 = if t010 { 0 } else { t033 };
+        self.since = work.t034;
+        let t035 = self.calls;
+        let t036 = 0 < t035;
+        let t037 = t010 && t036;
+        let t038 = if t037 { 1.0 } else { 0.0 };
+        let t039 = self.count;
+        let t041 = 8.744_465_871_977_893e-24 * t014;
+        let t043 = t041 + 5.764_099_547_707_89e-22;
+        let t044 = t043 * t014;
+        let t046 = t044 + 3.507_256_686_138_31e-20;
+        let t047 = t046 * t014;
+        let t049 = t047 + 1.956_208_177_981_075e-18;
+        let t050 = t049 * t014;
+        let t052 = t050 + 9.919_045_977_187_666e-17;
+        let t053 = t052 * t014;
+        let t055 = t053 + 4.526_549_207_812_5e-15;
+        let t056 = t055 * t014;
+        let t058 = t056 + 1.836_166_522_619_047_5e-13;
+        let t059 = t058 * t014;
+        let t061 = t059 + 6.517_257_5e-12;
+        let t062 = t061 * t014;
+        let t064 = t062 + 1.98275e-10;
+        let t065 = t064 * t014;
+        let t067 = t065 + 5.025e-9;
+        let t068 = t067 * t014;
+        let t070 = t068 + 1e-7;
+        let t071 = t070 * t014;
+        let t072 = t071 * t014;
+        let t073 = t072 * t014;
+        let t074 = t073 * t007;
+        let t075 = t030 + t074;
+        work.t076 = if t010 { t075 } else { t030 };
 
         // how much of the window is good
-        let t066 = 50 < t024;
-        let t068 = if t024 < 51 { t024 + 1 } else { 51 };
-        let t069 = if t005 { t068 } else { 1 };
-        let t070 = if t066 { t068 } else { t069 };
-        self.count = t070;
-        let t071 = self.coasting;
-        let t072 = t071.saturating_sub(1);
-        let t073 = if t005 { t072 } else { 50 };
-        self.coasting = t073;
+        let t078 = 50 < t039;
+        let t080 = if t039 < 51 { t039 + 1 } else { 51 };
+        let t081 = if t005 { t080 } else { 1 };
+        let t082 = if t078 { t080 } else { t081 };
+        self.count = t082;
+        let t083 = self.coasting;
+        let t084 = t083.saturating_sub(1);
+        let t085 = if t005 { t084 } else { 50 };
+        self.coasting = t085;
 
         // into the window
-        self.newest = work.t008;
-        self.y[work.t008.min(50)] = work.t061;
-        self.has_y[work.t008.min(50)] = t023;
-        self.age_y[work.t008.min(50)] = t015;
-        self.u[work.t008.min(50)] = work.t007;
-        let t074 = if t019 < 4_294_967_295 { t019 + 1 } else { 4_294_967_295 };
-        self.calls = t074;
-        work.flags[0] = 50 < t070;
+        self.newest = work.t015;
+        self.y[work.t015.min(50)] = work.t076;
+        self.has_y[work.t015.min(50)] = t038;
+        self.age_y[work.t015.min(50)] = t014;
+        self.u[work.t015.min(50)] = t007;
+        let t086 = if t035 < 4_294_967_295 { t035 + 1 } else { 4_294_967_295 };
+        self.calls = t086;
+        work.flags[0] = 50 < t082;
     }
 
     /// Part 2 of a step.
     fn part_2(&self, work: &mut Work) {
         // rows of the window, oldest first; those without a sample count nothing
-        work.t076 = if work.t008 < 50 { work.t008 + 1 } else { 0 };
-        let t077 = self.age_y[work.t076.min(50)];
-        let t079 = 5.272_062_832_054_933e-22 * t077;
-        let t081 = t079 + 3.207_869_236_890_387e-20;
-        let t082 = t081 * t077;
-        let t084 = t082 + 1.789_221_775_497_779_7e-18;
-        let t085 = t084 * t077;
-        let t087 = t085 + 9.072_333_535_001_539e-17;
-        let t088 = t087 * t077;
-        let t090 = t088 + 4.140_152_618_468_725e-15;
-        let t091 = t090 * t077;
-        let t093 = t091 + 1.679_427_148_748_015_8e-13;
-        let t094 = t093 * t077;
-        let t096 = t094 + 5.960_929_215_277_777_6e-12;
-        let t097 = t096 * t077;
-        let t099 = t097 + 1.813_493_416_666_666_5e-10;
-        let t100 = t099 * t077;
-        let t102 = t100 + 4.595_458_333_333_333_5e-9;
-        let t103 = t102 * t077;
-        let t105 = t103 + 9.083_333_333_333_333e-8;
-        let t106 = t105 * t077;
-        let t108 = t106 + -5e-7;
-        let t109 = t108 * t077;
-        let t111 = t109 + -0.001;
-        let t112 = t111 * t077;
-        let t114 = 2.841_951_408_392_815e-21 * t077;
-        let t116 = t114 + 1.729_229_864_312_366_9e-19;
-        let t117 = t116 * t077;
-        let t119 = t117 + 9.644_955_886_880_351e-18;
-        let t120 = t119 * t077;
-        let t122 = t120 + 4.890_520_444_952_687e-16;
-        let t123 = t122 * t077;
-        let t125 = t123 + 2.231_785_344_867_224_6e-14;
-        let t126 = t125 * t077;
-        let t128 = t126 + 9.053_098_415_625e-13;
-        let t129 = t128 * t077;
-        let t131 = t129 + 3.213_291_414_583_333_6e-11;
-        let t132 = t131 * t077;
-        let t134 = t132 + 9.775_886_25e-10;
-        let t135 = t134 * t077;
-        let t137 = t135 + 2.478_437_5e-8;
-        let t138 = t137 * t077;
-        let t140 = t138 + 5.025e-7;
-        let t141 = t140 * t077;
-        let t143 = t141 + 7.5e-6;
-        let t144 = t143 * t077;
-        let t145 = t144 * t077;
-        let t147 = t112 * 0.0;
-        let t148 = t145 * 0.0;
-        let t149 = 0.140_028_008_402_800_97 + t147;
-        let t150 = t149 + t148;
-        let t153 = t112 * 10.304_061_080_238_904;
-        let t154 = -0.244_764_513_293_893_4 + t153;
-        let t155 = t154 + t148;
-        let t158 = t112 * -167.447_821_713_241_55;
-        let t160 = t145 * 2_324.831_239_987_153_4;
-        let t161 = 0.558_346_149_462_435_2 + t158;
+        work.t088 = if work.t015 < 50 { work.t015 + 1 } else { 0 };
+        let t089 = self.age_y[work.t088.min(50)];
+        let t091 = 5.272_062_832_054_933e-22 * t089;
+        let t093 = t091 + 3.207_869_236_890_387e-20;
+        let t094 = t093 * t089;
+        let t096 = t094 + 1.789_221_775_497_779_7e-18;
+        let t097 = t096 * t089;
+        let t099 = t097 + 9.072_333_535_001_539e-17;
+        let t100 = t099 * t089;
+        let t102 = t100 + 4.140_152_618_468_725e-15;
+        let t103 = t102 * t089;
+        let t105 = t103 + 1.679_427_148_748_015_8e-13;
+        let t106 = t105 * t089;
+        let t108 = t106 + 5.960_929_215_277_777_6e-12;
+        let t109 = t108 * t089;
+        let t111 = t109 + 1.813_493_416_666_666_5e-10;
+        let t112 = t111 * t089;
+        let t114 = t112 + 4.595_458_333_333_333_5e-9;
+        let t115 = t114 * t089;
+        let t117 = t115 + 9.083_333_333_333_333e-8;
+        let t118 = t117 * t089;
+        let t120 = t118 + -5e-7;
+        let t121 = t120 * t089;
+        let t123 = t121 + -0.001;
+        let t124 = t123 * t089;
+        let t126 = 2.841_951_408_392_815e-21 * t089;
+        let t128 = t126 + 1.729_229_864_312_366_9e-19;
+        let t129 = t128 * t089;
+        let t131 = t129 + 9.644_955_886_880_351e-18;
+        let t132 = t131 * t089;
+        let t134 = t132 + 4.890_520_444_952_687e-16;
+        let t135 = t134 * t089;
+        let t137 = t135 + 2.231_785_344_867_224_6e-14;
+        let t138 = t137 * t089;
+        let t140 = t138 + 9.053_098_415_625e-13;
+        let t141 = t140 * t089;
+        let t143 = t141 + 3.213_291_414_583_333_6e-11;
+        let t144 = t143 * t089;
+        let t146 = t144 + 9.775_886_25e-10;
+        let t147 = t146 * t089;
+        let t149 = t147 + 2.478_437_5e-8;
+        let t150 = t149 * t089;
+        let t152 = t150 + 5.025e-7;
+        let t153 = t152 * t089;
+        let t155 = t153 + 7.5e-6;
+        let t156 = t155 * t089;
+        let t157 = t156 * t089;
+        let t159 = t124 * 0.0;
+        let t160 = t157 * 0.0;
+        let t161 = 0.140_028_008_402_800_97 + t159;
         let t162 = t161 + t160;
-        let t163 = self.has_y[work.t076.min(50)];
-        let t164 = self.y[work.t076.min(50)];
-        let t165 = 0.0 + t147;
-        let t166 = t165 + t148;
-        let t167 = t164 - t166;
-        let t168 = t163 * t150;
-        let t169 = t163 * t155;
-        let t170 = t163 * t162;
-        let t171 = t168 * t168;
-        work.t172 = 0.0 + t171;
-        let t173 = t168 * t169;
-        work.t174 = 0.0 + t173;
-        let t175 = t168 * t170;
-        work.t176 = 0.0 + t175;
-        let t177 = t169 * t169;
-        work.t178 = 0.0 + t177;
-        let t179 = t169 * t170;
-        work.t180 = 0.0 + t179;
-        let t181 = t170 * t170;
-        work.t182 = 0.0 + t181;
-        let t183 = t168 * t167;
+        let t165 = t124 * 10.304_061_080_238_904;
+        let t166 = -0.244_764_513_293_893_4 + t165;
+        let t167 = t166 + t160;
+        let t170 = t124 * -167.447_821_713_241_55;
+        let t172 = t157 * 2_324.831_239_987_153_4;
+        let t173 = 0.558_346_149_462_435_2 + t170;
+        let t174 = t173 + t172;
+        let t175 = self.has_y[work.t088.min(50)];
+        let t176 = self.y[work.t088.min(50)];
+        let t177 = 0.0 + t159;
+        let t178 = t177 + t160;
+        let t179 = t176 - t178;
+        let t180 = t175 * t162;
+        let t181 = t175 * t167;
+        let t182 = t175 * t174;
+        let t183 = t180 * t180;
         work.t184 = 0.0 + t183;
-        let t185 = t169 * t167;
+        let t185 = t180 * t181;
         work.t186 = 0.0 + t185;
-        let t187 = t170 * t167;
+        let t187 = t180 * t182;
         work.t188 = 0.0 + t187;
+        let t189 = t181 * t181;
+        work.t190 = 0.0 + t189;
+        let t191 = t181 * t182;
+        work.t192 = 0.0 + t191;
+        let t193 = t182 * t182;
+        work.t194 = 0.0 + t193;
+        let t195 = t180 * t179;
+        work.t196 = 0.0 + t195;
+        let t197 = t181 * t179;
+        work.t198 = 0.0 + t197;
+        let t199 = t182 * t179;
+        work.t200 = 0.0 + t199;
     }
 
     /// Part 3 of a step, for one row of `ROWS`.
     fn part_3(&self, work: &mut Work, gains: [f64; 9]) {
-        work.t202 = if work.t201 < 50 { work.t201 + 1 } else { 0 };
-        let t203 = self.u[work.t202.min(50)];
-        let t205 = 0.000_999_413_586_572_696 * work.t199;
-        let t207 = 7.021_338_035_817_581e-6 * work.t200;
-        let t208 = work.t198 + t205;
-        let t209 = t208 + t207;
-        let t211 = 9.516_693_692_987_18e-8 * t203;
-        work.t212 = t209 + t211;
-        let t214 = 0.998_745_009_708_923_5 * work.t199;
-        let t216 = 0.013_586_936_191_426_924 * work.t200;
-        let t217 = t214 + t216;
-        let t219 = 0.000_280_853_521_432_703_24 * t203;
-        work.t220 = t217 + t219;
-        let t222 = -0.032_970_965_157_862_67 * work.t199;
-        let t224 = 0.818_491_656_235_993_1 * work.t200;
-        let t225 = t222 + t224;
-        let t227 = 0.036_250_553_411_900_64 * t203;
-        work.t228 = t225 + t227;
-        let t229 = self.age_y[work.t202.min(50)];
-        let t230 = 5.272_062_832_054_933e-22 * t229;
-        let t231 = t230 + 3.207_869_236_890_387e-20;
-        let t232 = t231 * t229;
-        let t233 = t232 + 1.789_221_775_497_779_7e-18;
-        let t234 = t233 * t229;
-        let t235 = t234 + 9.072_333_535_001_539e-17;
-        let t236 = t235 * t229;
-        let t237 = t236 + 4.140_152_618_468_725e-15;
-        let t238 = t237 * t229;
-        let t239 = t238 + 1.679_427_148_748_015_8e-13;
-        let t240 = t239 * t229;
-        let t241 = t240 + 5.960_929_215_277_777_6e-12;
-        let t242 = t241 * t229;
-        let t243 = t242 + 1.813_493_416_666_666_5e-10;
-        let t244 = t243 * t229;
-        let t245 = t244 + 4.595_458_333_333_333_5e-9;
-        let t246 = t245 * t229;
-        let t247 = t246 + 9.083_333_333_333_333e-8;
-        let t248 = t247 * t229;
-        let t249 = t248 + -5e-7;
-        let t250 = t249 * t229;
-        let t251 = t250 + -0.001;
-        let t252 = t251 * t229;
-        let t253 = 2.841_951_408_392_815e-21 * t229;
-        let t254 = t253 + 1.729_229_864_312_366_9e-19;
-        let t255 = t254 * t229;
-        let t256 = t255 + 9.644_955_886_880_351e-18;
-        let t257 = t256 * t229;
-        let t258 = t257 + 4.890_520_444_952_687e-16;
-        let t259 = t258 * t229;
-        let t260 = t259 + 2.231_785_344_867_224_6e-14;
-        let t261 = t260 * t229;
-        let t262 = t261 + 9.053_098_415_625e-13;
-        let t263 = t262 * t229;
-        let t264 = t263 + 3.213_291_414_583_333_6e-11;
-        let t265 = t264 * t229;
-        let t266 = t265 + 9.775_886_25e-10;
-        let t267 = t266 * t229;
-        let t268 = t267 + 2.478_437_5e-8;
-        let t269 = t268 * t229;
-        let t270 = t269 + 5.025e-7;
-        let t271 = t270 * t229;
-        let t272 = t271 + 7.5e-6;
-        let t273 = t272 * t229;
-        let t274 = t273 * t229;
-        let t275 = gains[0];
-        let t276 = gains[3];
-        let t277 = t252 * t276;
-        let t278 = gains[6];
-        let t279 = t274 * t278;
-        let t280 = t275 + t277;
-        work.t281 = t280 + t279;
-        let t282 = gains[1];
-        let t283 = gains[4];
-        let t284 = t252 * t283;
-        let t285 = gains[7];
-        let t286 = t274 * t285;
-        let t287 = t282 + t284;
-        work.t288 = t287 + t286;
-        let t289 = gains[2];
-        let t290 = gains[5];
-        let t291 = t252 * t290;
-        let t292 = gains[8];
-        let t293 = t274 * t292;
-        let t294 = t289 + t291;
-        work.t295 = t294 + t293;
-        work.t296 = self.has_y[work.t202.min(50)];
-        work.t297 = self.y[work.t202.min(50)];
-        let t298 = t252 * work.t220;
-        work.t299 = t274 * work.t228;
-        work.t300 = work.t212 + t298;
+        work.t214 = if work.t213 < 50 { work.t213 + 1 } else { 0 };
+        let t215 = self.u[work.t214.min(50)];
+        let t217 = 0.000_999_413_586_572_696 * work.t211;
+        let t219 = 7.021_338_035_817_581e-6 * work.t212;
+        let t220 = work.t210 + t217;
+        let t221 = t220 + t219;
+        let t222 = 9.516_693_692_987_18e-8 * t215;
+        work.t223 = t221 + t222;
+        let t225 = 0.998_745_009_708_923_5 * work.t211;
+        let t227 = 0.013_586_936_191_426_924 * work.t212;
+        let t228 = t225 + t227;
+        let t229 = 0.000_280_853_521_432_703_24 * t215;
+        work.t230 = t228 + t229;
+        let t232 = -0.032_970_965_157_862_67 * work.t211;
+        let t234 = 0.818_491_656_235_993_1 * work.t212;
+        let t235 = t232 + t234;
+        let t236 = 0.036_250_553_411_900_64 * t215;
+        work.t237 = t235 + t236;
+        let t238 = self.age_y[work.t214.min(50)];
+        let t239 = 5.272_062_832_054_933e-22 * t238;
+        let t240 = t239 + 3.207_869_236_890_387e-20;
+        let t241 = t240 * t238;
+        let t242 = t241 + 1.789_221_775_497_779_7e-18;
+        let t243 = t242 * t238;
+        let t244 = t243 + 9.072_333_535_001_539e-17;
+        let t245 = t244 * t238;
+        let t246 = t245 + 4.140_152_618_468_725e-15;
+        let t247 = t246 * t238;
+        let t248 = t247 + 1.679_427_148_748_015_8e-13;
+        let t249 = t248 * t238;
+        let t250 = t249 + 5.960_929_215_277_777_6e-12;
+        let t251 = t250 * t238;
+        let t252 = t251 + 1.813_493_416_666_666_5e-10;
+        let t253 = t252 * t238;
+        let t254 = t253 + 4.595_458_333_333_333_5e-9;
+        let t255 = t254 * t238;
+        let t256 = t255 + 9.083_333_333_333_333e-8;
+        let t257 = t256 * t238;
+        let t258 = t257 + -5e-7;
+        let t259 = t258 * t238;
+        let t260 = t259 + -0.001;
+        let t261 = t260 * t238;
+        let t262 = 2.841_951_408_392_815e-21 * t238;
+        let t263 = t262 + 1.729_229_864_312_366_9e-19;
+        let t264 = t263 * t238;
+        let t265 = t264 + 9.644_955_886_880_351e-18;
+        let t266 = t265 * t238;
+        let t267 = t266 + 4.890_520_444_952_687e-16;
+        let t268 = t267 * t238;
+        let t269 = t268 + 2.231_785_344_867_224_6e-14;
+        let t270 = t269 * t238;
+        let t271 = t270 + 9.053_098_415_625e-13;
+        let t272 = t271 * t238;
+        let t273 = t272 + 3.213_291_414_583_333_6e-11;
+        let t274 = t273 * t238;
+        let t275 = t274 + 9.775_886_25e-10;
+        let t276 = t275 * t238;
+        let t277 = t276 + 2.478_437_5e-8;
+        let t278 = t277 * t238;
+        let t279 = t278 + 5.025e-7;
+        let t280 = t279 * t238;
+        let t281 = t280 + 7.5e-6;
+        let t282 = t281 * t238;
+        let t283 = t282 * t238;
+        let t284 = gains[0];
+        let t285 = gains[3];
+        let t286 = t261 * t285;
+        let t287 = gains[6];
+        let t288 = t283 * t287;
+        let t289 = t284 + t286;
+        work.t290 = t289 + t288;
+        let t291 = gains[1];
+        let t292 = gains[4];
+        let t293 = t261 * t292;
+        let t294 = gains[7];
+        let t295 = t283 * t294;
+        let t296 = t291 + t293;
+        work.t297 = t296 + t295;
+        let t298 = gains[2];
+        let t299 = gains[5];
+        let t300 = t261 * t299;
+        let t301 = gains[8];
+        let t302 = t283 * t301;
+        let t303 = t298 + t300;
+        work.t304 = t303 + t302;
+        work.t305 = self.has_y[work.t214.min(50)];
+        work.t306 = self.y[work.t214.min(50)];
+        let t307 = t261 * work.t230;
+        work.t308 = t283 * work.t237;
+        work.t309 = work.t223 + t307;
     }
 
     /// Part 4 of a step, for one row of `ROWS`.
     fn part_4(work: &mut Work) {
-        let t301 = work.t300 + work.t299;
-        let t302 = work.t297 - t301;
-        let t303 = work.t296 * work.t281;
-        let t304 = work.t296 * work.t288;
-        let t305 = work.t296 * work.t295;
-        let t306 = t303 * t303;
-        work.t307 = work.t189 + t306;
-        let t308 = t303 * t304;
-        work.t309 = work.t190 + t308;
-        let t310 = t303 * t305;
-        work.t311 = work.t191 + t310;
-        let t312 = t304 * t304;
-        work.t313 = work.t192 + t312;
-        let t314 = t304 * t305;
-        work.t315 = work.t193 + t314;
-        let t316 = t305 * t305;
-        work.t317 = work.t194 + t316;
-        let t318 = t303 * t302;
-        work.t319 = work.t195 + t318;
-        let t320 = t304 * t302;
-        work.t321 = work.t196 + t320;
-        let t322 = t305 * t302;
-        work.t323 = work.t197 + t322;
+        let t310 = work.t309 + work.t308;
+        let t311 = work.t306 - t310;
+        let t312 = work.t305 * work.t290;
+        let t313 = work.t305 * work.t297;
+        let t314 = work.t305 * work.t304;
+        let t315 = t312 * t312;
+        work.t316 = work.t201 + t315;
+        let t317 = t312 * t313;
+        work.t318 = work.t202 + t317;
+        let t319 = t312 * t314;
+        work.t320 = work.t203 + t319;
+        let t321 = t313 * t313;
+        work.t322 = work.t204 + t321;
+        let t323 = t313 * t314;
+        work.t324 = work.t205 + t323;
+        let t325 = t314 * t314;
+        work.t326 = work.t206 + t325;
+        let t327 = t312 * t311;
+        work.t328 = work.t207 + t327;
+        let t329 = t313 * t311;
+        work.t330 = work.t208 + t329;
+        let t331 = t314 * t311;
+        work.t332 = work.t209 + t331;
     }
 
     /// Part 5 of a step.
     fn part_5(&self, work: &mut Work) {
-        work.t189 = work.t172;
-        work.t190 = work.t174;
-        work.t191 = work.t176;
-        work.t192 = work.t178;
-        work.t193 = work.t180;
-        work.t194 = work.t182;
-        work.t195 = work.t184;
-        work.t196 = work.t186;
-        work.t197 = work.t188;
-        work.t198 = 0.0;
-        work.t199 = 0.0;
-        work.t200 = 0.0;
-        work.t201 = work.t076;
+        work.t201 = work.t184;
+        work.t202 = work.t186;
+        work.t203 = work.t188;
+        work.t204 = work.t190;
+        work.t205 = work.t192;
+        work.t206 = work.t194;
+        work.t207 = work.t196;
+        work.t208 = work.t198;
+        work.t209 = work.t200;
+        work.t210 = 0.0;
+        work.t211 = 0.0;
+        work.t212 = 0.0;
+        work.t213 = work.t088;
         for gains in &ROWS {
             self.part_3(work, *gains);
             Self::part_4(work);
-            work.t189 = work.t307;
-            work.t190 = work.t309;
-            work.t191 = work.t311;
-            work.t192 = work.t313;
-            work.t193 = work.t315;
-            work.t194 = work.t317;
-            work.t195 = work.t319;
-            work.t196 = work.t321;
-            work.t197 = work.t323;
-            work.t198 = work.t212;
-            work.t199 = work.t220;
-            work.t200 = work.t228;
-            work.t201 = work.t202;
+            work.t201 = work.t316;
+            work.t202 = work.t318;
+            work.t203 = work.t320;
+            work.t204 = work.t322;
+            work.t205 = work.t324;
+            work.t206 = work.t326;
+            work.t207 = work.t328;
+            work.t208 = work.t330;
+            work.t209 = work.t332;
+            work.t210 = work.t223;
+            work.t211 = work.t230;
+            work.t212 = work.t237;
+            work.t213 = work.t214;
         }
     }
 
     /// Part 6 of a step.
     fn part_6(work: &mut Work) {
         // the window's start from the samples that are there
-        let t325 = 0.015_625_000_000_000_003 < work.t189;
-        let t326 = if t325 { work.t189 } else { 1.0 };
-        let t327 = work.t190 / t326;
-        let t328 = t327 * work.t190;
-        let t329 = work.t192 - t328;
-        let t330 = t327 * work.t191;
-        let t331 = work.t193 - t330;
-        let t332 = t327 * work.t195;
-        let t333 = work.t196 - t332;
-        let t334 = work.t191 / t326;
-        let t335 = t334 * work.t191;
-        let t336 = work.t194 - t335;
-        let t337 = t334 * work.t195;
-        let t338 = work.t197 - t337;
-        let t339 = 0.015_625_000_000_000_003 < t329;
-        let t340 = t325 && t339;
-        let t341 = if t339 { t329 } else { 1.0 };
-        let t342 = t331 / t341;
-        let t343 = t342 * t331;
-        let t344 = t336 - t343;
-        let t345 = t342 * t333;
-        let t346 = t338 - t345;
-        let t347 = 0.015_625_000_000_000_003 < t344;
-        work.flags[1] = t340 && t347;
-        let t349 = if t347 { t344 } else { 1.0 };
-        let t350 = t346 / t349;
-        let t351 = t331 * t350;
-        let t352 = t333 - t351;
-        let t353 = t352 / t341;
-        let t354 = work.t190 * t353;
-        let t355 = work.t195 - t354;
-        let t356 = work.t191 * t350;
-        let t357 = t355 - t356;
-        let t358 = t357 / t326;
-        let t359 = 0.140_028_008_402_800_97 * t358;
-        let t361 = 0.230_650_757_672_311_22 * t353;
-        let t363 = 0.131_349_884_360_889_54 * t350;
-        let t364 = t359 + t361;
-        let t365 = t364 + t363;
-        work.t366 = t365 + work.t198;
-        let t368 = 8.651_118_877_863_917 * t353;
-        let t370 = 8.618_146_699_003_066 * t350;
-        let t371 = t368 + t370;
-        work.t372 = t371 + work.t199;
-        let t374 = -1.604_756_777_719_405_8 * t353;
-        let t376 = -1.479_057_925_057_862_4 * t350;
-        let t377 = t374 + t376;
-        work.t378 = t377 + work.t200;
+        let t334 = 0.015_625_000_000_000_003 < work.t201;
+        let t335 = if t334 { work.t201 } else { 1.0 };
+        let t336 = work.t202 / t335;
+        let t337 = t336 * work.t202;
+        let t338 = work.t204 - t337;
+        let t339 = t336 * work.t203;
+        let t340 = work.t205 - t339;
+        let t341 = t336 * work.t207;
+        let t342 = work.t208 - t341;
+        let t343 = work.t203 / t335;
+        let t344 = t343 * work.t203;
+        let t345 = work.t206 - t344;
+        let t346 = t343 * work.t207;
+        let t347 = work.t209 - t346;
+        let t348 = 0.015_625_000_000_000_003 < t338;
+        let t349 = t334 && t348;
+        let t350 = if t348 { t338 } else { 1.0 };
+        let t351 = t340 / t350;
+        let t352 = t351 * t340;
+        let t353 = t345 - t352;
+        let t354 = t351 * t342;
+        let t355 = t347 - t354;
+        let t356 = 0.015_625_000_000_000_003 < t353;
+        work.flags[1] = t349 && t356;
+        let t358 = if t356 { t353 } else { 1.0 };
+        let t359 = t355 / t358;
+        let t360 = t340 * t359;
+        let t361 = t342 - t360;
+        let t362 = t361 / t350;
+        let t363 = work.t202 * t362;
+        let t364 = work.t207 - t363;
+        let t365 = work.t203 * t359;
+        let t366 = t364 - t365;
+        let t367 = t366 / t335;
+        let t368 = 0.140_028_008_402_800_97 * t367;
+        let t370 = 0.230_650_757_672_311_22 * t362;
+        let t372 = 0.131_349_884_360_889_54 * t359;
+        let t373 = t368 + t370;
+        let t374 = t373 + t372;
+        work.t375 = t374 + work.t210;
+        let t377 = 8.651_118_877_863_917 * t362;
+        let t379 = 8.618_146_699_003_066 * t359;
+        let t380 = t377 + t379;
+        work.t381 = t380 + work.t211;
+        let t383 = -1.604_756_777_719_405_8 * t362;
+        let t385 = -1.479_057_925_057_862_4 * t359;
+        let t386 = t383 + t385;
+        work.t387 = t386 + work.t212;
     }
 
     /// Part 7 of a step.
     fn part_7(&mut self, work: &mut Work) {
         // without enough samples, the model's prediction
-        let t379 = self.known;
-        let t380 = t379 == 1;
-        let t381 = self.next_q;
-        let t383 = 9.516_693_692_987_18e-8 * work.t007;
-        let t384 = t381 + t383;
-        let t385 = (-1e297..=1e297).contains(&t384);
-        let t386 = t380 && t385;
-        let t387 = if work.flags[1] { work.t366 } else { t384 };
-        let t388 = self.next_dq;
-        let t390 = 0.000_280_853_521_432_703_24 * work.t007;
-        let t391 = t388 + t390;
-        let t392 = (-1e297..=1e297).contains(&t391);
-        let t393 = t386 && t392;
-        let t394 = if work.flags[1] { work.t372 } else { t391 };
-        let t395 = self.next_i;
-        let t397 = 0.036_250_553_411_900_64 * work.t007;
-        let t398 = t395 + t397;
-        let t399 = (-1e297..=1e297).contains(&t398);
-        let t400 = t393 && t399;
-        let t401 = if work.flags[1] { work.t378 } else { t398 };
-        let t402 = work.flags[1] || t400;
-        let t403 = work.flags[0] && t402;
-        let t404 = usize::from(t403);
-        self.known = t404;
-        let t406 = 0.000_999_413_586_572_696 * t394;
-        let t408 = 7.021_338_035_817_581e-6 * t401;
-        let t409 = t387 + t406;
-        let t410 = t409 + t408;
-        let t411 = (-1e297..=1e297).contains(&t410);
-        let t412 = if t411 { t410 } else { 0.0 };
-        self.next_q = t412;
-        let t414 = 0.998_745_009_708_923_5 * t394;
-        let t416 = 0.013_586_936_191_426_924 * t401;
-        let t417 = t414 + t416;
-        let t418 = (-1e297..=1e297).contains(&t417);
-        let t419 = if t418 { t417 } else { 0.0 };
-        self.next_dq = t419;
-        let t421 = -0.032_970_965_157_862_67 * t394;
-        let t423 = 0.818_491_656_235_993_1 * t401;
-        let t424 = t421 + t423;
-        let t425 = (-1e297..=1e297).contains(&t424);
-        let t426 = if t425 { t424 } else { 0.0 };
-        self.next_i = t426;
+        let t388 = self.known;
+        let t389 = t388 == 1;
+        let t390 = (-1e297..=1e297).contains(&work.t019);
+        let t391 = t389 && t390;
+        let t392 = if work.flags[1] { work.t375 } else { work.t019 };
+        let t393 = (-1e297..=1e297).contains(&work.t023);
+        let t394 = t391 && t393;
+        let t395 = if work.flags[1] { work.t381 } else { work.t023 };
+        let t396 = (-1e297..=1e297).contains(&work.t027);
+        let t397 = t394 && t396;
+        let t398 = if work.flags[1] { work.t387 } else { work.t027 };
+        let t399 = work.flags[1] || t397;
+        let t400 = work.flags[0] && t399;
+        let t401 = usize::from(t400);
+        self.known = t401;
+        let t403 = 0.000_999_413_586_572_696 * t395;
+        let t405 = 7.021_338_035_817_581e-6 * t398;
+        let t406 = t392 + t403;
+        let t407 = t406 + t405;
+        let t408 = (-1e297..=1e297).contains(&t407);
+        let t409 = if t408 { t407 } else { 0.0 };
+        self.next_q = t409;
+        let t411 = 0.998_745_009_708_923_5 * t395;
+        let t413 = 0.013_586_936_191_426_924 * t398;
+        let t414 = t411 + t413;
+        let t415 = (-1e297..=1e297).contains(&t414);
+        let t416 = if t415 { t414 } else { 0.0 };
+        self.next_dq = t416;
+        let t418 = -0.032_970_965_157_862_67 * t395;
+        let t420 = 0.818_491_656_235_993_1 * t398;
+        let t421 = t418 + t420;
+        let t422 = (-1e297..=1e297).contains(&t421);
+        let t423 = if t422 { t421 } else { 0.0 };
+        self.next_i = t423;
 
         // the estimate; until there is one, the start
-        work.t427 = if t403 { t387 } else { work.t061 };
-        work.t428 = if t403 { t394 } else { 0.0 };
-        work.t429 = if t403 { t401 } else { 0.0 };
-        let t430 = self.coasting;
-        let t431 = t430 == 0;
-        let t432 = work.flags[1] && t431;
-        let t436 = if t432 { Status::Converged } else { Status::Coasting };
-        work.t437 = if t403 { t436 } else { Status::Converging };
+        work.t424 = if t400 { t392 } else { work.t076 };
+        work.t425 = if t400 { t395 } else { 0.0 };
+        work.t426 = if t400 { t398 } else { 0.0 };
+        let t427 = self.coasting;
+        let t428 = t427 == 0;
+        let t429 = work.flags[1] && t428;
+        let t433 = if t429 { Status::Converged } else { Status::Coasting };
+        work.t434 = if t400 { t433 } else { Status::Converging };
     }
 }
 

@@ -86,7 +86,7 @@ pub struct Observer {
     good: usize,
     /// good calls in a row, at most 64
     clean: usize,
-    /// the last good value
+    /// i of the last call
     last_i: f64,
     /// calls until x is due
     until_x: usize,
@@ -149,33 +149,33 @@ impl Observer {
         let t3 = (-1e305..=1e305).contains(&t2);
         let t4 = self.last_i;
         let t5 = if t3 { t2 } else { t4 };
-        self.last_i = t5;
         let t8 = self.until_x;
         let t9 = t8 == 0;
         let t10 = t8.saturating_sub(1);
         let t11 = if t9 { 7 } else { t10 };
         self.until_x = t11;
         let t12 = t1 && t9;
-        let t13 = !t9;
-        let t14 = t12 || t13;
 
         // prediction by the plant
-        let t15 = self.x;
-        let t16 = self.v;
-        let t18 = 0.004_968_879_802_447_429 * t16;
-        let t20 = 4.979_231_608_411_396e-5 * t5;
-        let t21 = t15 + t18;
-        let t22 = t21 + t20;
-        let t24 = 0.987_577_800_493_881_4 * t16;
-        let t26 = 0.019_875_519_209_789_715 * t5;
-        let t27 = t24 + t26;
-        let t28 = t3 && t14;
+        let t13 = self.x;
+        let t14 = self.v;
+        let t16 = 0.004_968_879_802_447_429 * t14;
+        let t18 = 4.979_231_608_411_396e-5 * t5;
+        let t19 = t13 + t16;
+        let t20 = t19 + t18;
+        let t22 = 0.987_577_800_493_881_4 * t14;
+        let t24 = 0.019_875_519_209_789_715 * t5;
+        let t25 = t22 + t24;
+        let t26 = !t9;
+        let t27 = t12 || t26;
+        self.last_i = t5;
+        let t28 = t3 && t27;
 
         // correction by the innovation
-        let t29 = (-1.0..=2.0).contains(&t22);
+        let t29 = (-1.0..=2.0).contains(&t20);
         let t30 = t12 || t29;
         let t31 = !t30;
-        let t33 = t0 - t22;
+        let t33 = t0 - t20;
         let t34 = if t12 { t33 } else { 0.0 };
         let t35 = self.left;
         let t36 = t35.min(8);
@@ -199,8 +199,8 @@ impl Observer {
         let t63 = 0.262_927_295_189_119_06 * t34;
         let t64 = t59 + t61;
         let t65 = t64 + t63;
-        let t66 = t22 + t57;
-        let t67 = t27 + t65;
+        let t66 = t20 + t57;
+        let t67 = t25 + t65;
 
         // the first sample starts the observer; so does a state beyond all bounds
         let t68 = self.good;

@@ -87,7 +87,7 @@ pub struct Observer {
     good: usize,
     /// good calls in a row, at most 881
     clean: usize,
-    /// the last good value
+    /// a of the last call
     last_a: f64,
     /// calls since every output was due
     phase: usize,
@@ -125,7 +125,7 @@ struct Work {
     t75: f64,
     t76: f64,
     t95: Status,
-    /// t17, t33, t34
+    /// t32, t33, t34
     flags: [bool; 3],
 }
 
@@ -186,38 +186,38 @@ impl Observer {
         let t5 = (-1e306..=1e306).contains(&t4);
         let t6 = self.last_a;
         let t7 = if t5 { t4 } else { t6 };
-        self.last_a = t7;
         let t10 = self.until_position;
         let t11 = t10 == 0;
         let t12 = t10.saturating_sub(1);
         let t13 = if t11 { 4 } else { t12 };
         self.until_position = t13;
         let t14 = t3 && t11;
-        let t15 = !t11;
-        let t16 = t14 || t15;
-        work.flags[0] = t1 && t16;
 
         // prediction by the plant
-        let t18 = self.x;
-        let t19 = self.v;
-        let t20 = self.offset;
-        let t22 = 0.02 * t19;
-        let t24 = 0.0002 * t20;
-        let t25 = 0.0002 * t7;
-        let t26 = t18 + t22;
-        let t27 = t26 + t24;
-        let t28 = t27 + t25;
-        let t29 = 0.02 * t20;
-        let t30 = 0.02 * t7;
-        let t31 = t19 + t29;
-        let t32 = t31 + t30;
+        let t15 = self.x;
+        let t16 = self.v;
+        let t17 = self.offset;
+        let t19 = 0.02 * t16;
+        let t21 = 0.0002 * t17;
+        let t22 = 0.0002 * t7;
+        let t23 = t15 + t19;
+        let t24 = t23 + t21;
+        let t25 = t24 + t22;
+        let t26 = 0.02 * t17;
+        let t27 = 0.02 * t7;
+        let t28 = t16 + t26;
+        let t29 = t28 + t27;
+        let t30 = !t11;
+        let t31 = t14 || t30;
+        work.flags[0] = t1 && t31;
         work.flags[1] = t1 && t14;
+        self.last_a = t7;
         work.flags[2] = t5 && work.flags[0];
 
         // correction by the innovation
-        let t36 = work.t0 - t32;
+        let t36 = work.t0 - t29;
         let t37 = if t1 { t36 } else { 0.0 };
-        let t38 = work.t2 - t28;
+        let t38 = work.t2 - t25;
         let t39 = if t14 { t38 } else { 0.0 };
         let t40 = self.phase;
         let t41 = t40.min(4);
@@ -238,9 +238,9 @@ impl Observer {
         let t55 = GAINS[t41][5];
         let t56 = t55 * t39;
         let t57 = t54 + t56;
-        work.t58 = t28 + t47;
-        work.t59 = t32 + t52;
-        work.t60 = t20 + t57;
+        work.t58 = t25 + t47;
+        work.t59 = t29 + t52;
+        work.t60 = t17 + t57;
     }
 
     /// Part 2 of a step.

@@ -29,7 +29,7 @@
 //!
 //! Cost       2138 multiplications, 1734 additions, 6 divisions a call, the same for every call
 //! Memory     state 1244 bytes, constants 1200 bytes
-//!            at most: stack 2204 bytes, flash 9340 bytes without elementary functions
+//!            at most: stack 2180 bytes, flash 9280 bytes without elementary functions
 //!
 //! Contract:
 //!  1. No heap, no recursion, no global or static mutable data, no file or console, no library.
@@ -213,77 +213,81 @@ static ROWS: [[f32; 3]; 100] = [
 
 /// What one part of a step hands to the next.
 struct Work {
-    t007: f32,
     t008: usize,
     t012: f32,
-    t034: usize,
-    t045: f32,
-    t047: f32,
-    t049: f32,
-    t051: f32,
-    t053: f32,
-    t055: f32,
+    t016: f32,
+    t020: f32,
+    t023: f32,
+    t046: usize,
     t057: f32,
     t059: f32,
     t061: f32,
-    t062: f32,
     t063: f32,
-    t064: f32,
     t065: f32,
-    t066: f32,
     t067: f32,
-    t068: f32,
     t069: f32,
-    t070: f32,
     t071: f32,
-    t072: f32,
     t073: f32,
-    t171: f32,
-    t177: f32,
-    t183: f32,
-    t232: f32,
-    t233: f32,
-    t234: f32,
-    t242: Status,
-    /// t33, t153
+    t074: f32,
+    t075: f32,
+    t076: f32,
+    t077: f32,
+    t078: f32,
+    t079: f32,
+    t080: f32,
+    t081: f32,
+    t082: f32,
+    t083: f32,
+    t084: f32,
+    t085: f32,
+    t180: f32,
+    t186: f32,
+    t192: f32,
+    t229: f32,
+    t230: f32,
+    t231: f32,
+    t239: Status,
+    /// t45, t162
     flags: [bool; 2],
 }
 
 impl Work {
     /// Before the first part.
     const EMPTY: Self = Self {
-        t007: 0.0,
         t008: 0,
         t012: 0.0,
-        t034: 0,
-        t045: 0.0,
-        t047: 0.0,
-        t049: 0.0,
-        t051: 0.0,
-        t053: 0.0,
-        t055: 0.0,
+        t016: 0.0,
+        t020: 0.0,
+        t023: 0.0,
+        t046: 0,
         t057: 0.0,
         t059: 0.0,
         t061: 0.0,
-        t062: 0.0,
         t063: 0.0,
-        t064: 0.0,
         t065: 0.0,
-        t066: 0.0,
         t067: 0.0,
-        t068: 0.0,
         t069: 0.0,
-        t070: 0.0,
         t071: 0.0,
-        t072: 0.0,
         t073: 0.0,
-        t171: 0.0,
-        t177: 0.0,
-        t183: 0.0,
-        t232: 0.0,
-        t233: 0.0,
-        t234: 0.0,
-        t242: Status::Converging,
+        t074: 0.0,
+        t075: 0.0,
+        t076: 0.0,
+        t077: 0.0,
+        t078: 0.0,
+        t079: 0.0,
+        t080: 0.0,
+        t081: 0.0,
+        t082: 0.0,
+        t083: 0.0,
+        t084: 0.0,
+        t085: 0.0,
+        t180: 0.0,
+        t186: 0.0,
+        t192: 0.0,
+        t229: 0.0,
+        t230: 0.0,
+        t231: 0.0,
+        t239: Status::Converging,
         flags: [false; 2],
     };
 }
@@ -317,10 +321,10 @@ impl Observer {
         Self::part_4(&mut work);
         self.part_5(&mut work);
         Estimate {
-            q: work.t232,
-            dq: work.t233,
-            i: work.t234,
-            status: work.t242,
+            q: work.t229,
+            dq: work.t230,
+            i: work.t231,
+            status: work.t239,
         }
     }
 
@@ -334,255 +338,255 @@ impl Observer {
         let t004 = inputs.u;
         let t005 = (-1e21..=1e21).contains(&t004);
         let t006 = self.u[t001];
-        work.t007 = if t005 { t004 } else { t006 };
+        let t007 = if t005 { t004 } else { t006 };
         work.t008 = if t001 < 100 { t001 + 1 } else { 0 };
-        let t011 = self.y[t001];
-        work.t012 = if t003 { t002 } else { t011 };
-        let t013 = if t003 { 1.0 } else { 0.0 };
-        let t014 = self.count;
-        let t015 = self.since_y;
-        let t016 = if t015 < 10 { t015 + 1 } else { 10 };
-        let t018 = if t003 { 0 } else { t016 };
-        self.since_y = t018;
-        let t020 = t018 < 10;
-        let t021 = t003 || t020;
+        let t009 = self.next_q;
+        let t011 = 9.516_694e-8 * t007;
+        work.t012 = t009 + t011;
+        let t013 = self.next_dq;
+        let t015 = 0.000_280_853_54 * t007;
+        work.t016 = t013 + t015;
+        let t017 = self.next_i;
+        let t019 = 0.036_250_554 * t007;
+        work.t020 = t017 + t019;
+        let t022 = self.y[t001];
+        work.t023 = if t003 { t002 } else { t022 };
+        let t025 = if t003 { 1.0 } else { 0.0 };
+        let t026 = self.count;
+        let t027 = self.since_y;
+        let t028 = if t027 < 10 { t027 + 1 } else { 10 };
+        let t030 = if t003 { 0 } else { t028 };
+        self.since_y = t030;
+        let t032 = t030 < 10;
+        let t033 = t003 || t032;
 
         // how much of the window is good
-        let t023 = 100 < t014;
-        let t025 = if t014 < 101 { t014 + 1 } else { 101 };
-        let t026 = if t005 { t025 } else { 1 };
-        let t027 = if t023 { t025 } else { t026 };
-        self.count = t027;
-        let t028 = self.coasting;
-        let t029 = t028.saturating_sub(1);
-        let t030 = if t005 { t029 } else { 100 };
-        let t032 = if t021 { t030 } else { 101 };
-        self.coasting = t032;
+        let t035 = 100 < t026;
+        let t037 = if t026 < 101 { t026 + 1 } else { 101 };
+        let t038 = if t005 { t037 } else { 1 };
+        let t039 = if t035 { t037 } else { t038 };
+        self.count = t039;
+        let t040 = self.coasting;
+        let t041 = t040.saturating_sub(1);
+        let t042 = if t005 { t041 } else { 100 };
+        let t044 = if t033 { t042 } else { 101 };
+        self.coasting = t044;
 
         // into the window
         self.newest = work.t008;
-        self.y[work.t008.min(100)] = work.t012;
-        self.has_y[work.t008.min(100)] = t013;
-        self.u[work.t008.min(100)] = work.t007;
-        work.flags[0] = 100 < t027;
+        self.y[work.t008.min(100)] = work.t023;
+        self.has_y[work.t008.min(100)] = t025;
+        self.u[work.t008.min(100)] = t007;
+        work.flags[0] = 100 < t039;
     }
 
     /// Part 2 of a step.
     fn part_2(&self, work: &mut Work) {
         // rows of the window, oldest first; those without a sample count nothing
-        work.t034 = if work.t008 < 100 { work.t008 + 1 } else { 0 };
-        let t038 = self.has_y[work.t034.min(100)];
-        let t039 = self.y[work.t034.min(100)];
-        let t040 = t039 - 0.0;
-        let t041 = t038 * 0.099_503_72;
-        let t042 = t038 * -0.181_241_44;
-        let t043 = t038 * 0.561_164_7;
-        let t044 = t041 * t041;
-        work.t045 = 0.0 + t044;
-        let t046 = t041 * t042;
-        work.t047 = 0.0 + t046;
-        let t048 = t041 * t043;
-        work.t049 = 0.0 + t048;
-        let t050 = t042 * t042;
-        work.t051 = 0.0 + t050;
-        let t052 = t042 * t043;
-        work.t053 = 0.0 + t052;
-        let t054 = t043 * t043;
-        work.t055 = 0.0 + t054;
-        let t056 = t041 * t040;
+        work.t046 = if work.t008 < 100 { work.t008 + 1 } else { 0 };
+        let t050 = self.has_y[work.t046.min(100)];
+        let t051 = self.y[work.t046.min(100)];
+        let t052 = t051 - 0.0;
+        let t053 = t050 * 0.099_503_72;
+        let t054 = t050 * -0.181_241_44;
+        let t055 = t050 * 0.561_164_7;
+        let t056 = t053 * t053;
         work.t057 = 0.0 + t056;
-        let t058 = t042 * t040;
+        let t058 = t053 * t054;
         work.t059 = 0.0 + t058;
-        let t060 = t043 * t040;
+        let t060 = t053 * t055;
         work.t061 = 0.0 + t060;
+        let t062 = t054 * t054;
+        work.t063 = 0.0 + t062;
+        let t064 = t054 * t055;
+        work.t065 = 0.0 + t064;
+        let t066 = t055 * t055;
+        work.t067 = 0.0 + t066;
+        let t068 = t053 * t052;
+        work.t069 = 0.0 + t068;
+        let t070 = t054 * t052;
+        work.t071 = 0.0 + t070;
+        let t072 = t055 * t052;
+        work.t073 = 0.0 + t072;
     }
 
     /// Part 3 of a step.
     fn part_3(&self, work: &mut Work) {
-        work.t062 = work.t045;
-        work.t063 = work.t047;
-        work.t064 = work.t049;
-        work.t065 = work.t051;
-        work.t066 = work.t053;
-        work.t067 = work.t055;
-        work.t068 = work.t057;
-        work.t069 = work.t059;
-        work.t070 = work.t061;
-        work.t071 = 0.0;
-        work.t072 = 0.0;
-        work.t073 = 0.0;
-        let mut t074: usize = work.t034;
+        work.t074 = work.t057;
+        work.t075 = work.t059;
+        work.t076 = work.t061;
+        work.t077 = work.t063;
+        work.t078 = work.t065;
+        work.t079 = work.t067;
+        work.t080 = work.t069;
+        work.t081 = work.t071;
+        work.t082 = work.t073;
+        work.t083 = 0.0;
+        work.t084 = 0.0;
+        work.t085 = 0.0;
+        let mut t086: usize = work.t046;
         for gains in &ROWS {
-            let t075 = if t074 < 100 { t074 + 1 } else { 0 };
-            let t076 = self.u[t075];
-            let t078 = 0.000_999_413_5 * work.t072;
-            let t080 = 7.021_338e-6 * work.t073;
-            let t081 = work.t071 + t078;
-            let t082 = t081 + t080;
-            let t084 = 9.516_694e-8 * t076;
-            let t085 = t082 + t084;
-            let t087 = 0.998_745 * work.t072;
-            let t089 = 0.013_586_936_5 * work.t073;
-            let t090 = t087 + t089;
-            let t092 = 0.000_280_853_54 * t076;
-            let t093 = t090 + t092;
-            let t095 = -0.032_970_965 * work.t072;
-            let t097 = 0.818_491_64 * work.t073;
-            let t098 = t095 + t097;
-            let t100 = 0.036_250_554 * t076;
+            let t087 = if t086 < 100 { t086 + 1 } else { 0 };
+            let t088 = self.u[t087];
+            let t090 = 0.000_999_413_5 * work.t084;
+            let t092 = 7.021_338e-6 * work.t085;
+            let t093 = work.t083 + t090;
+            let t094 = t093 + t092;
+            let t095 = 9.516_694e-8 * t088;
+            let t096 = t094 + t095;
+            let t098 = 0.998_745 * work.t084;
+            let t100 = 0.013_586_936_5 * work.t085;
             let t101 = t098 + t100;
-            let t102 = gains[0];
-            let t103 = gains[1];
-            let t104 = gains[2];
-            let t105 = self.has_y[t075];
-            let t106 = self.y[t075];
-            let t107 = t106 - t085;
-            let t108 = t105 * t102;
-            let t109 = t105 * t103;
-            let t110 = t105 * t104;
-            let t111 = t108 * t108;
-            let t112 = work.t062 + t111;
-            let t113 = t108 * t109;
-            let t114 = work.t063 + t113;
-            let t115 = t108 * t110;
-            let t116 = work.t064 + t115;
-            let t117 = t109 * t109;
-            let t118 = work.t065 + t117;
-            let t119 = t109 * t110;
-            let t120 = work.t066 + t119;
-            let t121 = t110 * t110;
-            let t122 = work.t067 + t121;
-            let t123 = t108 * t107;
-            let t124 = work.t068 + t123;
-            let t125 = t109 * t107;
-            let t126 = work.t069 + t125;
-            let t127 = t110 * t107;
-            let t128 = work.t070 + t127;
-            work.t062 = t112;
-            work.t063 = t114;
-            work.t064 = t116;
-            work.t065 = t118;
-            work.t066 = t120;
-            work.t067 = t122;
-            work.t068 = t124;
-            work.t069 = t126;
-            work.t070 = t128;
-            work.t071 = t085;
-            work.t072 = t093;
-            work.t073 = t101;
-            t074 = t075;
+            let t102 = 0.000_280_853_54 * t088;
+            let t103 = t101 + t102;
+            let t105 = -0.032_970_965 * work.t084;
+            let t107 = 0.818_491_64 * work.t085;
+            let t108 = t105 + t107;
+            let t109 = 0.036_250_554 * t088;
+            let t110 = t108 + t109;
+            let t111 = gains[0];
+            let t112 = gains[1];
+            let t113 = gains[2];
+            let t114 = self.has_y[t087];
+            let t115 = self.y[t087];
+            let t116 = t115 - t096;
+            let t117 = t114 * t111;
+            let t118 = t114 * t112;
+            let t119 = t114 * t113;
+            let t120 = t117 * t117;
+            let t121 = work.t074 + t120;
+            let t122 = t117 * t118;
+            let t123 = work.t075 + t122;
+            let t124 = t117 * t119;
+            let t125 = work.t076 + t124;
+            let t126 = t118 * t118;
+            let t127 = work.t077 + t126;
+            let t128 = t118 * t119;
+            let t129 = work.t078 + t128;
+            let t130 = t119 * t119;
+            let t131 = work.t079 + t130;
+            let t132 = t117 * t116;
+            let t133 = work.t080 + t132;
+            let t134 = t118 * t116;
+            let t135 = work.t081 + t134;
+            let t136 = t119 * t116;
+            let t137 = work.t082 + t136;
+            work.t074 = t121;
+            work.t075 = t123;
+            work.t076 = t125;
+            work.t077 = t127;
+            work.t078 = t129;
+            work.t079 = t131;
+            work.t080 = t133;
+            work.t081 = t135;
+            work.t082 = t137;
+            work.t083 = t096;
+            work.t084 = t103;
+            work.t085 = t110;
+            t086 = t087;
         }
     }
 
     /// Part 4 of a step.
     fn part_4(work: &mut Work) {
         // the window's start from the samples that are there
-        let t130 = 0.000_127_305 < work.t062;
-        let t131 = if t130 { work.t062 } else { 1.0 };
-        let t132 = work.t063 / t131;
-        let t133 = t132 * work.t063;
-        let t134 = work.t065 - t133;
-        let t135 = t132 * work.t064;
-        let t136 = work.t066 - t135;
-        let t137 = t132 * work.t068;
-        let t138 = work.t069 - t137;
-        let t139 = work.t064 / t131;
-        let t140 = t139 * work.t064;
-        let t141 = work.t067 - t140;
-        let t142 = t139 * work.t068;
-        let t143 = work.t070 - t142;
-        let t144 = 0.000_127_305 < t134;
-        let t145 = t130 && t144;
-        let t146 = if t144 { t134 } else { 1.0 };
-        let t147 = t136 / t146;
-        let t148 = t147 * t136;
-        let t149 = t141 - t148;
-        let t150 = t147 * t138;
-        let t151 = t143 - t150;
-        let t152 = 0.000_127_305 < t149;
-        work.flags[1] = t145 && t152;
-        let t154 = if t152 { t149 } else { 1.0 };
-        let t155 = t151 / t154;
-        let t156 = t136 * t155;
-        let t157 = t138 - t156;
-        let t158 = t157 / t146;
-        let t159 = work.t063 * t158;
-        let t160 = work.t068 - t159;
-        let t161 = work.t064 * t155;
-        let t162 = t160 - t161;
-        let t163 = t162 / t131;
-        let t164 = 0.099_503_72 * t163;
-        let t166 = 0.160_224_2 * t158;
-        let t168 = 0.065_137_93 * t155;
-        let t169 = t164 + t166;
-        let t170 = t169 + t168;
-        work.t171 = t170 + work.t071;
-        let t173 = 2.811_884_2 * t158;
-        let t175 = 1.841_816_8 * t155;
-        let t176 = t173 + t175;
-        work.t177 = t176 + work.t072;
-        let t179 = -0.521_628_56 * t158;
-        let t181 = -0.341_667_77 * t155;
-        let t182 = t179 + t181;
-        work.t183 = t182 + work.t073;
+        let t139 = 0.000_127_305 < work.t074;
+        let t140 = if t139 { work.t074 } else { 1.0 };
+        let t141 = work.t075 / t140;
+        let t142 = t141 * work.t075;
+        let t143 = work.t077 - t142;
+        let t144 = t141 * work.t076;
+        let t145 = work.t078 - t144;
+        let t146 = t141 * work.t080;
+        let t147 = work.t081 - t146;
+        let t148 = work.t076 / t140;
+        let t149 = t148 * work.t076;
+        let t150 = work.t079 - t149;
+        let t151 = t148 * work.t080;
+        let t152 = work.t082 - t151;
+        let t153 = 0.000_127_305 < t143;
+        let t154 = t139 && t153;
+        let t155 = if t153 { t143 } else { 1.0 };
+        let t156 = t145 / t155;
+        let t157 = t156 * t145;
+        let t158 = t150 - t157;
+        let t159 = t156 * t147;
+        let t160 = t152 - t159;
+        let t161 = 0.000_127_305 < t158;
+        work.flags[1] = t154 && t161;
+        let t163 = if t161 { t158 } else { 1.0 };
+        let t164 = t160 / t163;
+        let t165 = t145 * t164;
+        let t166 = t147 - t165;
+        let t167 = t166 / t155;
+        let t168 = work.t075 * t167;
+        let t169 = work.t080 - t168;
+        let t170 = work.t076 * t164;
+        let t171 = t169 - t170;
+        let t172 = t171 / t140;
+        let t173 = 0.099_503_72 * t172;
+        let t175 = 0.160_224_2 * t167;
+        let t177 = 0.065_137_93 * t164;
+        let t178 = t173 + t175;
+        let t179 = t178 + t177;
+        work.t180 = t179 + work.t083;
+        let t182 = 2.811_884_2 * t167;
+        let t184 = 1.841_816_8 * t164;
+        let t185 = t182 + t184;
+        work.t186 = t185 + work.t084;
+        let t188 = -0.521_628_56 * t167;
+        let t190 = -0.341_667_77 * t164;
+        let t191 = t188 + t190;
+        work.t192 = t191 + work.t085;
     }
 
     /// Part 5 of a step.
     fn part_5(&mut self, work: &mut Work) {
         // without enough samples, the model's prediction
-        let t184 = self.known;
-        let t185 = t184 == 1;
-        let t186 = self.next_q;
-        let t188 = 9.516_694e-8 * work.t007;
-        let t189 = t186 + t188;
-        let t190 = (-1e21..=1e21).contains(&t189);
-        let t191 = t185 && t190;
-        let t192 = if work.flags[1] { work.t171 } else { t189 };
-        let t193 = self.next_dq;
-        let t195 = 0.000_280_853_54 * work.t007;
-        let t196 = t193 + t195;
-        let t197 = (-1e21..=1e21).contains(&t196);
-        let t198 = t191 && t197;
-        let t199 = if work.flags[1] { work.t177 } else { t196 };
-        let t200 = self.next_i;
-        let t202 = 0.036_250_554 * work.t007;
-        let t203 = t200 + t202;
-        let t204 = (-1e21..=1e21).contains(&t203);
-        let t205 = t198 && t204;
-        let t206 = if work.flags[1] { work.t183 } else { t203 };
-        let t207 = work.flags[1] || t205;
-        let t208 = work.flags[0] && t207;
-        let t209 = usize::from(t208);
-        self.known = t209;
-        let t211 = 0.000_999_413_5 * t199;
-        let t213 = 7.021_338e-6 * t206;
-        let t214 = t192 + t211;
-        let t215 = t214 + t213;
-        let t216 = (-1e21..=1e21).contains(&t215);
-        let t217 = if t216 { t215 } else { 0.0 };
-        self.next_q = t217;
-        let t219 = 0.998_745 * t199;
-        let t221 = 0.013_586_936_5 * t206;
-        let t222 = t219 + t221;
-        let t223 = (-1e21..=1e21).contains(&t222);
-        let t224 = if t223 { t222 } else { 0.0 };
-        self.next_dq = t224;
-        let t226 = -0.032_970_965 * t199;
-        let t228 = 0.818_491_64 * t206;
-        let t229 = t226 + t228;
-        let t230 = (-1e21..=1e21).contains(&t229);
-        let t231 = if t230 { t229 } else { 0.0 };
-        self.next_i = t231;
+        let t193 = self.known;
+        let t194 = t193 == 1;
+        let t195 = (-1e21..=1e21).contains(&work.t012);
+        let t196 = t194 && t195;
+        let t197 = if work.flags[1] { work.t180 } else { work.t012 };
+        let t198 = (-1e21..=1e21).contains(&work.t016);
+        let t199 = t196 && t198;
+        let t200 = if work.flags[1] { work.t186 } else { work.t016 };
+        let t201 = (-1e21..=1e21).contains(&work.t020);
+        let t202 = t199 && t201;
+        let t203 = if work.flags[1] { work.t192 } else { work.t020 };
+        let t204 = work.flags[1] || t202;
+        let t205 = work.flags[0] && t204;
+        let t206 = usize::from(t205);
+        self.known = t206;
+        let t208 = 0.000_999_413_5 * t200;
+        let t210 = 7.021_338e-6 * t203;
+        let t211 = t197 + t208;
+        let t212 = t211 + t210;
+        let t213 = (-1e21..=1e21).contains(&t212);
+        let t214 = if t213 { t212 } else { 0.0 };
+        self.next_q = t214;
+        let t216 = 0.998_745 * t200;
+        let t218 = 0.013_586_936_5 * t203;
+        let t219 = t216 + t218;
+        let t220 = (-1e21..=1e21).contains(&t219);
+        let t221 = if t220 { t219 } else { 0.0 };
+        self.next_dq = t221;
+        let t223 = -0.032_970_965 * t200;
+        let t225 = 0.818_491_64 * t203;
+        let t226 = t223 + t225;
+        let t227 = (-1e21..=1e21).contains(&t226);
+        let t228 = if t227 { t226 } else { 0.0 };
+        self.next_i = t228;
 
         // the estimate; until there is one, the start
-        work.t232 = if t208 { t192 } else { work.t012 };
-        work.t233 = if t208 { t199 } else { 0.0 };
-        work.t234 = if t208 { t206 } else { 0.0 };
-        let t235 = self.coasting;
-        let t236 = t235 == 0;
-        let t237 = work.flags[1] && t236;
-        let t241 = if t237 { Status::Converged } else { Status::Coasting };
-        work.t242 = if t208 { t241 } else { Status::Converging };
+        work.t229 = if t205 { t197 } else { work.t023 };
+        work.t230 = if t205 { t200 } else { 0.0 };
+        work.t231 = if t205 { t203 } else { 0.0 };
+        let t232 = self.coasting;
+        let t233 = t232 == 0;
+        let t234 = work.flags[1] && t233;
+        let t238 = if t234 { Status::Converged } else { Status::Coasting };
+        work.t239 = if t205 { t238 } else { Status::Converging };
     }
 }
 const _: f32 = SAMPLE_TIME;

@@ -27,8 +27,8 @@
 //!   error bound from noise                   3.965e-4     9.183e-4    0.204        0.07585
 //!
 //! Cost       51 multiplications, 42 additions, 1 division a call, the same for every call
-//! Memory     state 64 bytes, constants 0 bytes
-//!            at most: stack 3120 bytes, flash 6324 bytes without elementary functions
+//! Memory     state 56 bytes, constants 0 bytes
+//!            at most: stack 3104 bytes, flash 6292 bytes without elementary functions
 //!
 //! Contract:
 //!  1. No heap, no recursion, no global or static mutable data, no file or console, no library.
@@ -95,29 +95,27 @@ pub struct Observer {
     /// good calls in a row, at most 238
     clean: usize,
     /// torque of the last call
-    last_known0: f64,
-    /// the last good value
     last_torque: f64,
 }
 
 /// What one part of a step hands to the next.
 struct Work {
     t000: f64,
-    t027: f64,
-    t044: f64,
-    t061: f64,
-    t078: f64,
-    t090: usize,
+    t026: f64,
+    t043: f64,
+    t060: f64,
+    t077: f64,
+    t089: usize,
+    t158: f64,
     t159: f64,
     t160: f64,
     t161: f64,
-    t162: f64,
+    t177: f64,
     t178: f64,
     t179: f64,
     t180: f64,
-    t181: f64,
-    t200: Status,
-    /// t1, t79
+    t199: Status,
+    /// t1, t78
     flags: [bool; 2],
 }
 
@@ -125,20 +123,20 @@ impl Work {
     /// Before the first part.
     const EMPTY: Self = Self {
         t000: 0.0,
-        t027: 0.0,
-        t044: 0.0,
-        t061: 0.0,
-        t078: 0.0,
-        t090: 0,
+        t026: 0.0,
+        t043: 0.0,
+        t060: 0.0,
+        t077: 0.0,
+        t089: 0,
+        t158: 0.0,
         t159: 0.0,
         t160: 0.0,
         t161: 0.0,
-        t162: 0.0,
+        t177: 0.0,
         t178: 0.0,
         t179: 0.0,
         t180: 0.0,
-        t181: 0.0,
-        t200: Status::Converging,
+        t199: Status::Converging,
         flags: [false; 2],
     };
 }
@@ -155,7 +153,6 @@ impl Observer {
             left: 160,
             good: 0,
             clean: 0,
-            last_known0: 0.0,
             last_torque: 0.0,
         }
     }
@@ -168,11 +165,11 @@ impl Observer {
         self.part_2(&mut work);
         self.part_3(&mut work);
         Estimate {
-            motor_angle: work.t178,
-            load_angle: work.t179,
-            motor_speed: work.t180,
-            load_speed: work.t181,
-            status: work.t200,
+            motor_angle: work.t177,
+            load_angle: work.t178,
+            motor_speed: work.t179,
+            load_speed: work.t180,
+            status: work.t199,
         }
     }
 
@@ -185,169 +182,167 @@ impl Observer {
         let t003 = (-1e301..=1e301).contains(&t002);
         let t004 = self.last_torque;
         let t005 = if t003 { t002 } else { t004 };
-        self.last_torque = t005;
 
         // prediction by the plant
         let t006 = self.motor_angle;
         let t007 = self.load_angle;
         let t008 = self.motor_speed;
         let t009 = self.load_speed;
-        let t010 = self.last_known0;
-        let t012 = 0.995_024_914_226_229_4 * t006;
-        let t014 = 0.004_975_085_773_770_609 * t007;
-        let t016 = 0.000_496_682_115_654_701_1 * t008;
-        let t018 = 3.317_884_345_298_893_7e-6 * t009;
-        let t020 = 8.293_894_840_854_371e-6 * t010;
-        let t022 = 4.154_200_521_167_732e-6 * t005;
-        let t023 = t012 + t014;
-        let t024 = t023 + t016;
-        let t025 = t018 + t020;
-        let t026 = t025 + t022;
-        work.t027 = t024 + t026;
-        let t029 = 0.000_995_017_154_754_121_8 * t006;
-        let t031 = 0.999_004_982_845_245_9 * t007;
-        let t033 = 6.635_768_690_597_788e-7 * t008;
-        let t035 = 0.000_499_336_423_130_940_2 * t009;
-        let t037 = 7.887_698_495_792_626e-9 * t010;
-        let t039 = 2.493_229_099_786_935e-9 * t005;
-        let t040 = t029 + t031;
-        let t041 = t040 + t033;
-        let t042 = t035 + t037;
-        let t043 = t042 + t039;
-        work.t044 = t041 + t043;
-        let t046 = -19.840_741_551_425_655 * t006;
-        let t048 = 19.840_741_551_425_655 * t007;
-        let t050 = 0.985_104_543_450_516_6 * t008;
-        let t052 = 0.014_895_456_549_483_436 * t009;
-        let t054 = 0.024_772_020_841_425_907 * t010;
-        let t056 = 0.024_896_190_724_044_205 * t005;
-        let t057 = t046 + t048;
-        let t058 = t057 + t050;
-        let t059 = t052 + t054;
-        let t060 = t059 + t056;
-        work.t061 = t058 + t060;
-        let t063 = 3.968_148_310_285_130_7 * t006;
-        let t065 = -3.968_148_310_285_130_7 * t007;
-        let t067 = 0.002_979_091_309_896_687 * t008;
-        let t069 = 0.997_020_908_690_103_3 * t009;
-        let t071 = 4.559_583_171_481_875e-5 * t010;
-        let t073 = 2.076_185_519_115_912e-5 * t005;
-        let t074 = t063 + t065;
-        let t075 = t074 + t067;
-        let t076 = t069 + t071;
-        let t077 = t076 + t073;
-        work.t078 = t075 + t077;
-        self.last_known0 = t005;
+        let t011 = 0.995_024_914_226_229_4 * t006;
+        let t013 = 0.004_975_085_773_770_609 * t007;
+        let t015 = 0.000_496_682_115_654_701_1 * t008;
+        let t017 = 3.317_884_345_298_893_7e-6 * t009;
+        let t019 = 8.293_894_840_854_371e-6 * t004;
+        let t021 = 4.154_200_521_167_732e-6 * t005;
+        let t022 = t011 + t013;
+        let t023 = t022 + t015;
+        let t024 = t017 + t019;
+        let t025 = t024 + t021;
+        work.t026 = t023 + t025;
+        let t028 = 0.000_995_017_154_754_121_8 * t006;
+        let t030 = 0.999_004_982_845_245_9 * t007;
+        let t032 = 6.635_768_690_597_788e-7 * t008;
+        let t034 = 0.000_499_336_423_130_940_2 * t009;
+        let t036 = 7.887_698_495_792_626e-9 * t004;
+        let t038 = 2.493_229_099_786_935e-9 * t005;
+        let t039 = t028 + t030;
+        let t040 = t039 + t032;
+        let t041 = t034 + t036;
+        let t042 = t041 + t038;
+        work.t043 = t040 + t042;
+        let t045 = -19.840_741_551_425_655 * t006;
+        let t047 = 19.840_741_551_425_655 * t007;
+        let t049 = 0.985_104_543_450_516_6 * t008;
+        let t051 = 0.014_895_456_549_483_436 * t009;
+        let t053 = 0.024_772_020_841_425_907 * t004;
+        let t055 = 0.024_896_190_724_044_205 * t005;
+        let t056 = t045 + t047;
+        let t057 = t056 + t049;
+        let t058 = t051 + t053;
+        let t059 = t058 + t055;
+        work.t060 = t057 + t059;
+        let t062 = 3.968_148_310_285_130_7 * t006;
+        let t064 = -3.968_148_310_285_130_7 * t007;
+        let t066 = 0.002_979_091_309_896_687 * t008;
+        let t068 = 0.997_020_908_690_103_3 * t009;
+        let t070 = 4.559_583_171_481_875e-5 * t004;
+        let t072 = 2.076_185_519_115_912e-5 * t005;
+        let t073 = t062 + t064;
+        let t074 = t073 + t066;
+        let t075 = t068 + t070;
+        let t076 = t075 + t072;
+        work.t077 = t074 + t076;
+        self.last_torque = t005;
         work.flags[1] = t003 && work.flags[0];
     }
 
     /// Part 2 of a step.
     fn part_2(&self, work: &mut Work) {
         // correction by the innovation
-        let t081 = work.t000 - work.t027;
-        let t082 = if work.flags[0] { t081 } else { 0.0 };
-        let t083 = self.left;
-        let t084 = t083.min(160);
-        let t085 = t084.saturating_sub(1);
-        let t087 = t084 == 0;
-        let t089 = if t087 { 160 } else { t085 };
-        work.t090 = if work.flags[0] { t089 } else { t084 };
-        let t091 = ::deadbeat::math::f64_from_index(work.t090);
-        let t093 = 0.015_625 * t091;
-        let t095 = t093 + 0.625;
-        let t096 = t095 * t095;
-        let t097 = t096 * t095;
-        let t098 = t097 * t095;
-        let t100 = 0.75 * t097;
-        let t102 = 0.210_937_5 * t096;
-        let t104 = 0.026_367_187_5 * t095;
-        let t106 = t104 + 0.001_235_961_914_062_5;
-        let t107 = t102 + t106;
-        let t108 = t100 + t107;
-        let t109 = t098 + t108;
-        let t110 = t082 / t109;
-        let t111 = t108 * t110;
-        let t112 = t107 * t110;
-        let t113 = t106 * t110;
-        let t114 = 0.001_235_961_914_062_5 * t110;
-        let t116 = 1.012_072_288_866_077_8 * t111;
-        let t118 = -0.012_072_288_866_077_755 * t082;
-        let t119 = t116 + t118;
-        let t121 = -0.202_414_457_773_215_54 * t111;
-        let t123 = 100.701_861_344_805_15 * t113;
-        let t125 = -0.100_762_069_216_470_75 * t114;
-        let t127 = 0.002_414_457_773_215_550_7 * t082;
-        let t128 = t121 + t123;
-        let t129 = t128 + t125;
-        let t130 = t129 + t127;
-        let t132 = -12.157_031_761_761_674 * t111;
-        let t134 = 2_016.053_679_058_472_9 * t112;
-        let t136 = 1_006.009_983_927_004_9 * t113;
-        let t138 = 669.868_191_124_019_7 * t114;
-        let t140 = -23.879_016_211_648_374 * t082;
-        let t141 = t132 + t134;
-        let t142 = t136 + t138;
-        let t143 = t142 + t140;
-        let t144 = t141 + t143;
-        let t146 = 2.431_406_352_352_335 * t111;
-        let t148 = -403.210_735_811_694_6 * t112;
-        let t150 = -201.201_996_785_400_98 * t113;
-        let t152 = 201_269.749_051_385_5 * t114;
-        let t154 = 4.775_803_242_329_674 * t082;
-        let t155 = t146 + t148;
-        let t156 = t150 + t152;
-        let t157 = t156 + t154;
-        let t158 = t155 + t157;
-        work.t159 = work.t027 + t119;
-        work.t160 = work.t044 + t130;
-        work.t161 = work.t061 + t144;
-        work.t162 = work.t078 + t158;
+        let t080 = work.t000 - work.t026;
+        let t081 = if work.flags[0] { t080 } else { 0.0 };
+        let t082 = self.left;
+        let t083 = t082.min(160);
+        let t084 = t083.saturating_sub(1);
+        let t086 = t083 == 0;
+        let t088 = if t086 { 160 } else { t084 };
+        work.t089 = if work.flags[0] { t088 } else { t083 };
+        let t090 = ::deadbeat::math::f64_from_index(work.t089);
+        let t092 = 0.015_625 * t090;
+        let t094 = t092 + 0.625;
+        let t095 = t094 * t094;
+        let t096 = t095 * t094;
+        let t097 = t096 * t094;
+        let t099 = 0.75 * t096;
+        let t101 = 0.210_937_5 * t095;
+        let t103 = 0.026_367_187_5 * t094;
+        let t105 = t103 + 0.001_235_961_914_062_5;
+        let t106 = t101 + t105;
+        let t107 = t099 + t106;
+        let t108 = t097 + t107;
+        let t109 = t081 / t108;
+        let t110 = t107 * t109;
+        let t111 = t106 * t109;
+        let t112 = t105 * t109;
+        let t113 = 0.001_235_961_914_062_5 * t109;
+        let t115 = 1.012_072_288_866_077_8 * t110;
+        let t117 = -0.012_072_288_866_077_755 * t081;
+        let t118 = t115 + t117;
+        let t120 = -0.202_414_457_773_215_54 * t110;
+        let t122 = 100.701_861_344_805_15 * t112;
+        let t124 = -0.100_762_069_216_470_75 * t113;
+        let t126 = 0.002_414_457_773_215_550_7 * t081;
+        let t127 = t120 + t122;
+        let t128 = t127 + t124;
+        let t129 = t128 + t126;
+        let t131 = -12.157_031_761_761_674 * t110;
+        let t133 = 2_016.053_679_058_472_9 * t111;
+        let t135 = 1_006.009_983_927_004_9 * t112;
+        let t137 = 669.868_191_124_019_7 * t113;
+        let t139 = -23.879_016_211_648_374 * t081;
+        let t140 = t131 + t133;
+        let t141 = t135 + t137;
+        let t142 = t141 + t139;
+        let t143 = t140 + t142;
+        let t145 = 2.431_406_352_352_335 * t110;
+        let t147 = -403.210_735_811_694_6 * t111;
+        let t149 = -201.201_996_785_400_98 * t112;
+        let t151 = 201_269.749_051_385_5 * t113;
+        let t153 = 4.775_803_242_329_674 * t081;
+        let t154 = t145 + t147;
+        let t155 = t149 + t151;
+        let t156 = t155 + t153;
+        let t157 = t154 + t156;
+        work.t158 = work.t026 + t118;
+        work.t159 = work.t043 + t129;
+        work.t160 = work.t060 + t143;
+        work.t161 = work.t077 + t157;
     }
 
     /// Part 3 of a step.
     fn part_3(&mut self, work: &mut Work) {
         // the first sample starts the observer; so does a state beyond all bounds
-        let t163 = self.good;
-        let t164 = t163 == 0;
-        let t165 = (-1e301..=1e301).contains(&work.t159);
-        let t166 = !t165;
-        let t167 = t164 || t166;
-        let t168 = (-1e301..=1e301).contains(&work.t160);
-        let t169 = !t168;
-        let t170 = t167 || t169;
-        let t171 = (-1e301..=1e301).contains(&work.t161);
-        let t172 = !t171;
-        let t173 = t170 || t172;
-        let t174 = (-1e301..=1e301).contains(&work.t162);
-        let t175 = !t174;
-        let t176 = t173 || t175;
-        let t177 = if work.flags[0] { work.t000 } else { 0.0 };
-        work.t178 = if t176 { t177 } else { work.t159 };
-        self.motor_angle = work.t178;
-        work.t179 = if t176 { 0.0 } else { work.t160 };
-        self.load_angle = work.t179;
-        work.t180 = if t176 { 0.0 } else { work.t161 };
-        self.motor_speed = work.t180;
-        work.t181 = if t176 { 0.0 } else { work.t162 };
-        self.load_speed = work.t181;
-        let t182 = if t176 { 160 } else { work.t090 };
-        self.left = t182;
-        let t184 = usize::from(work.flags[0]);
-        let t185 = if t163 < 161 { t163 + 1 } else { 161 };
-        let t186 = if work.flags[0] { t185 } else { t163 };
-        let t187 = if t176 { t184 } else { t186 };
-        self.good = t187;
-        let t188 = self.clean;
-        let t189 = if t188 < 238 { t188 + 1 } else { 238 };
-        let t190 = if work.flags[1] { t189 } else { 0 };
-        let t192 = if t176 { 238 } else { t190 };
-        self.clean = t192;
+        let t162 = self.good;
+        let t163 = t162 == 0;
+        let t164 = (-1e301..=1e301).contains(&work.t158);
+        let t165 = !t164;
+        let t166 = t163 || t165;
+        let t167 = (-1e301..=1e301).contains(&work.t159);
+        let t168 = !t167;
+        let t169 = t166 || t168;
+        let t170 = (-1e301..=1e301).contains(&work.t160);
+        let t171 = !t170;
+        let t172 = t169 || t171;
+        let t173 = (-1e301..=1e301).contains(&work.t161);
+        let t174 = !t173;
+        let t175 = t172 || t174;
+        let t176 = if work.flags[0] { work.t000 } else { 0.0 };
+        work.t177 = if t175 { t176 } else { work.t158 };
+        self.motor_angle = work.t177;
+        work.t178 = if t175 { 0.0 } else { work.t159 };
+        self.load_angle = work.t178;
+        work.t179 = if t175 { 0.0 } else { work.t160 };
+        self.motor_speed = work.t179;
+        work.t180 = if t175 { 0.0 } else { work.t161 };
+        self.load_speed = work.t180;
+        let t181 = if t175 { 160 } else { work.t089 };
+        self.left = t181;
+        let t183 = usize::from(work.flags[0]);
+        let t184 = if t162 < 161 { t162 + 1 } else { 161 };
+        let t185 = if work.flags[0] { t184 } else { t162 };
+        let t186 = if t175 { t183 } else { t185 };
+        self.good = t186;
+        let t187 = self.clean;
+        let t188 = if t187 < 238 { t187 + 1 } else { 238 };
+        let t189 = if work.flags[1] { t188 } else { 0 };
+        let t191 = if t175 { 238 } else { t189 };
+        self.clean = t191;
 
         // the estimate
-        let t194 = 160 < t187;
-        let t195 = 237 < t192;
-        let t199 = if t195 { Status::Converged } else { Status::Coasting };
-        work.t200 = if t194 { t199 } else { Status::Converging };
+        let t193 = 160 < t186;
+        let t194 = 237 < t191;
+        let t198 = if t194 { Status::Converged } else { Status::Coasting };
+        work.t199 = if t193 { t198 } else { Status::Converging };
     }
 }
 

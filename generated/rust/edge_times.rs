@@ -161,25 +161,22 @@ static ROWS: [[f32; 9]; 50] = [
 
 /// What one part of a step hands to the next.
 struct Work {
-    t018: usize,
+    t025: usize,
+    t026: f32,
+    t027: f32,
     t028: f32,
-    t034: usize,
-    t041: usize,
-    t073: f32,
-    t075: f32,
-    t077: f32,
-    t079: f32,
-    t081: f32,
-    t083: f32,
-    t085: f32,
-    t087: f32,
-    t089: f32,
+    t032: f32,
+    t035: f32,
+    t039: usize,
+    t048: usize,
+    t080: f32,
+    t082: f32,
+    t084: f32,
+    t086: f32,
+    t088: f32,
     t090: f32,
-    t091: f32,
     t092: f32,
-    t093: f32,
     t094: f32,
-    t095: f32,
     t096: f32,
     t097: f32,
     t098: f32,
@@ -187,54 +184,58 @@ struct Work {
     t100: f32,
     t101: f32,
     t102: f32,
-    t103: usize,
-    t104: usize,
-    t110: f32,
-    t112: f32,
-    t122: f32,
-    t158: f32,
-    t160: f32,
-    t162: f32,
+    t103: f32,
+    t104: f32,
+    t105: f32,
+    t106: f32,
+    t107: f32,
+    t108: f32,
+    t109: f32,
+    t110: usize,
+    t111: usize,
+    t117: f32,
+    t119: f32,
+    t128: f32,
     t164: f32,
     t166: f32,
     t168: f32,
     t170: f32,
     t172: f32,
     t174: f32,
-    t175: f32,
-    t222: f32,
-    t224: f32,
-    t227: f32,
+    t176: f32,
+    t178: f32,
+    t180: f32,
+    t181: f32,
+    t228: f32,
+    t230: f32,
+    t233: f32,
     t265: f32,
     t266: f32,
     t267: f32,
     t275: Status,
-    /// t40, t200
+    /// t47, t206
     flags: [bool; 2],
 }
 
 impl Work {
     /// Before the first part.
     const EMPTY: Self = Self {
-        t018: 0,
+        t025: 0,
+        t026: 0.0,
+        t027: 0.0,
         t028: 0.0,
-        t034: 0,
-        t041: 0,
-        t073: 0.0,
-        t075: 0.0,
-        t077: 0.0,
-        t079: 0.0,
-        t081: 0.0,
-        t083: 0.0,
-        t085: 0.0,
-        t087: 0.0,
-        t089: 0.0,
+        t032: 0.0,
+        t035: 0.0,
+        t039: 0,
+        t048: 0,
+        t080: 0.0,
+        t082: 0.0,
+        t084: 0.0,
+        t086: 0.0,
+        t088: 0.0,
         t090: 0.0,
-        t091: 0.0,
         t092: 0.0,
-        t093: 0.0,
         t094: 0.0,
-        t095: 0.0,
         t096: 0.0,
         t097: 0.0,
         t098: 0.0,
@@ -242,24 +243,31 @@ impl Work {
         t100: 0.0,
         t101: 0.0,
         t102: 0.0,
-        t103: 0,
-        t104: 0,
-        t110: 0.0,
-        t112: 0.0,
-        t122: 0.0,
-        t158: 0.0,
-        t160: 0.0,
-        t162: 0.0,
+        t103: 0.0,
+        t104: 0.0,
+        t105: 0.0,
+        t106: 0.0,
+        t107: 0.0,
+        t108: 0.0,
+        t109: 0.0,
+        t110: 0,
+        t111: 0,
+        t117: 0.0,
+        t119: 0.0,
+        t128: 0.0,
         t164: 0.0,
         t166: 0.0,
         t168: 0.0,
         t170: 0.0,
         t172: 0.0,
         t174: 0.0,
-        t175: 0.0,
-        t222: 0.0,
-        t224: 0.0,
-        t227: 0.0,
+        t176: 0.0,
+        t178: 0.0,
+        t180: 0.0,
+        t181: 0.0,
+        t228: 0.0,
+        t230: 0.0,
+        t233: 0.0,
         t265: 0.0,
         t266: 0.0,
         t267: 0.0,
@@ -299,7 +307,7 @@ impl Observer {
             q: work.t265,
             dq: work.t266,
             ddq: work.t267,
-            coasted: ::deadbeat::math::u32_from_index(work.t034),
+            coasted: ::deadbeat::math::u32_from_index(work.t039),
             status: work.t275,
         }
     }
@@ -320,266 +328,266 @@ impl Observer {
         let t014 = t011 - t013;
         let t016 = t008 * 3.019_916e-7;
         let t017 = t014 - t016;
-        work.t018 = if t001 < 50 { t001 + 1 } else { 0 };
-        let t019 = measurements.edge_age;
-        let t020 = (0.0..=0.01).contains(&t019);
-        let t021 = t003 && t020;
-        let t023 = t019 * 100.0;
-        let t025 = if t021 { t023 } else { 0.0 };
-        let t027 = self.edge[t001];
-        work.t028 = if t021 { t017 } else { t027 };
-        let t029 = if t021 { 1.0 } else { 0.0 };
-        let t030 = self.count;
-        let t032 = self.since;
-        let t033 = if t032 < 4_294_967_295 { t032 + 1 } else { 4_294_967_295 };
-        work.t034 = if t021 { 0 } else { t033 };
-        self.since = work.t034;
+        let t018 = measurements.edge_age;
+        let t019 = (0.0..=0.01).contains(&t018);
+        let t020 = t003 && t019;
+        let t022 = t018 * 100.0;
+        let t024 = if t020 { t022 } else { 0.0 };
+        work.t025 = if t001 < 50 { t001 + 1 } else { 0 };
+        work.t026 = self.next_q;
+        work.t027 = self.next_dq;
+        work.t028 = self.next_ddq;
+        let t030 = work.t026 * 0.159_154_94;
+        let t031 = t030 + 1.258_291_2e7;
+        work.t032 = t031 - 1.258_291_2e7;
+        let t034 = self.edge[t001];
+        work.t035 = if t020 { t017 } else { t034 };
+        let t037 = self.since;
+        let t038 = if t037 < 4_294_967_295 { t037 + 1 } else { 4_294_967_295 };
+        work.t039 = if t020 { 0 } else { t038 };
+        self.since = work.t039;
+        let t040 = if t020 { 1.0 } else { 0.0 };
+        let t041 = self.count;
 
         // how much of the window is good
-        let t037 = if t030 < 51 { t030 + 1 } else { 51 };
-        self.count = t037;
-        let t038 = self.coasting;
-        let t039 = t038.saturating_sub(1);
-        self.coasting = t039;
+        let t044 = if t041 < 51 { t041 + 1 } else { 51 };
+        self.count = t044;
+        let t045 = self.coasting;
+        let t046 = t045.saturating_sub(1);
+        self.coasting = t046;
 
         // into the window
-        self.newest = work.t018;
-        self.edge[work.t018.min(50)] = work.t028;
-        self.has_edge[work.t018.min(50)] = t029;
-        self.age_edge[work.t018.min(50)] = t025;
-        work.flags[0] = 50 < t037;
+        self.newest = work.t025;
+        self.edge[work.t025.min(50)] = work.t035;
+        self.has_edge[work.t025.min(50)] = t040;
+        self.age_edge[work.t025.min(50)] = t024;
+        work.flags[0] = 50 < t044;
     }
 
     /// Part 2 of a step.
     fn part_2(&self, work: &mut Work) {
         // rows of the window, oldest first; those without a sample count nothing
-        work.t041 = if work.t018 < 50 { work.t018 + 1 } else { 0 };
-        let t042 = self.age_edge[work.t041.min(50)];
-        let t044 = -0.01 * t042;
-        let t046 = 5e-5 * t042;
-        let t047 = t046 * t042;
-        let t049 = t044 * 0.0;
-        let t050 = t047 * 0.0;
-        let t051 = 0.140_028_01 + t049;
-        let t052 = t051 + t050;
-        let t055 = t044 * 9.51303;
-        let t056 = -0.237_825_75 + t055;
-        let t057 = t056 + t050;
-        let t060 = t044 * -36.149_185;
-        let t062 = t047 * 1445.9674;
-        let t063 = 0.295_218_35 + t060;
-        let t064 = t063 + t062;
-        let t065 = self.has_edge[work.t041.min(50)];
-        let t066 = 0.0 + t049;
-        let t067 = t066 + t050;
-        let t068 = 0.0 - t067;
-        let t069 = t065 * t052;
-        let t070 = t065 * t057;
-        let t071 = t065 * t064;
-        let t072 = t069 * t069;
-        work.t073 = 0.0 + t072;
-        let t074 = t069 * t070;
-        work.t075 = 0.0 + t074;
-        let t076 = t069 * t071;
-        work.t077 = 0.0 + t076;
-        let t078 = t070 * t070;
-        work.t079 = 0.0 + t078;
-        let t080 = t070 * t071;
-        work.t081 = 0.0 + t080;
-        let t082 = t071 * t071;
-        work.t083 = 0.0 + t082;
-        let t084 = t069 * t068;
-        work.t085 = 0.0 + t084;
-        let t086 = t070 * t068;
-        work.t087 = 0.0 + t086;
-        let t088 = t071 * t068;
-        work.t089 = 0.0 + t088;
+        work.t048 = if work.t025 < 50 { work.t025 + 1 } else { 0 };
+        let t049 = self.age_edge[work.t048.min(50)];
+        let t051 = -0.01 * t049;
+        let t053 = 5e-5 * t049;
+        let t054 = t053 * t049;
+        let t056 = t051 * 0.0;
+        let t057 = t054 * 0.0;
+        let t058 = 0.140_028_01 + t056;
+        let t059 = t058 + t057;
+        let t062 = t051 * 9.51303;
+        let t063 = -0.237_825_75 + t062;
+        let t064 = t063 + t057;
+        let t067 = t051 * -36.149_185;
+        let t069 = t054 * 1445.9674;
+        let t070 = 0.295_218_35 + t067;
+        let t071 = t070 + t069;
+        let t072 = self.has_edge[work.t048.min(50)];
+        let t073 = 0.0 + t056;
+        let t074 = t073 + t057;
+        let t075 = 0.0 - t074;
+        let t076 = t072 * t059;
+        let t077 = t072 * t064;
+        let t078 = t072 * t071;
+        let t079 = t076 * t076;
+        work.t080 = 0.0 + t079;
+        let t081 = t076 * t077;
+        work.t082 = 0.0 + t081;
+        let t083 = t076 * t078;
+        work.t084 = 0.0 + t083;
+        let t085 = t077 * t077;
+        work.t086 = 0.0 + t085;
+        let t087 = t077 * t078;
+        work.t088 = 0.0 + t087;
+        let t089 = t078 * t078;
+        work.t090 = 0.0 + t089;
+        let t091 = t076 * t075;
+        work.t092 = 0.0 + t091;
+        let t093 = t077 * t075;
+        work.t094 = 0.0 + t093;
+        let t095 = t078 * t075;
+        work.t096 = 0.0 + t095;
     }
 
     /// Part 3 of a step, for one row of `ROWS`.
     fn part_3(&self, work: &mut Work, gains: [f32; 9]) {
-        work.t104 = if work.t103 < 50 { work.t103 + 1 } else { 0 };
-        let t106 = 0.001 * work.t100;
-        let t108 = 5e-7 * work.t101;
-        let t109 = work.t099 + t106;
-        work.t110 = t109 + t108;
-        let t111 = 0.001 * work.t101;
-        work.t112 = work.t100 + t111;
-        let t113 = self.edge[work.t103.min(50)];
-        let t114 = self.edge[work.t104.min(50)];
-        let t115 = t114 - t113;
-        let t116 = t115 * 0.159_154_94;
-        let t117 = t116 + 1.258_291_2e7;
-        let t118 = t117 - 1.258_291_2e7;
-        let t120 = t118 * 6.283_185_5;
-        let t121 = t115 - t120;
-        work.t122 = work.t102 + t121;
-        let t123 = self.age_edge[work.t104.min(50)];
-        let t124 = -0.01 * t123;
-        let t125 = 5e-5 * t123;
-        let t126 = t125 * t123;
-        let t127 = gains[0];
-        let t128 = gains[3];
-        let t129 = t124 * t128;
-        let t130 = gains[6];
-        let t131 = t126 * t130;
-        let t132 = t127 + t129;
-        let t133 = t132 + t131;
-        let t134 = gains[1];
-        let t135 = gains[4];
-        let t136 = t124 * t135;
-        let t137 = gains[7];
-        let t138 = t126 * t137;
-        let t139 = t134 + t136;
-        let t140 = t139 + t138;
-        let t141 = gains[2];
-        let t142 = gains[5];
-        let t143 = t124 * t142;
-        let t144 = gains[8];
-        let t145 = t126 * t144;
-        let t146 = t141 + t143;
-        let t147 = t146 + t145;
-        let t148 = self.has_edge[work.t104.min(50)];
-        let t149 = t124 * work.t112;
-        let t150 = t126 * work.t101;
-        let t151 = work.t110 + t149;
-        let t152 = t151 + t150;
-        let t153 = work.t122 - t152;
-        let t154 = t148 * t133;
-        let t155 = t148 * t140;
-        let t156 = t148 * t147;
-        let t157 = t154 * t154;
-        work.t158 = work.t090 + t157;
-        let t159 = t154 * t155;
-        work.t160 = work.t091 + t159;
-        let t161 = t154 * t156;
-        work.t162 = work.t092 + t161;
-        let t163 = t155 * t155;
-        work.t164 = work.t093 + t163;
-        let t165 = t155 * t156;
-        work.t166 = work.t094 + t165;
-        let t167 = t156 * t156;
-        work.t168 = work.t095 + t167;
-        let t169 = t154 * t153;
-        work.t170 = work.t096 + t169;
-        let t171 = t155 * t153;
-        work.t172 = work.t097 + t171;
-        let t173 = t156 * t153;
-        work.t174 = work.t098 + t173;
-        work.t175 = work.t101 - 0.0;
+        work.t111 = if work.t110 < 50 { work.t110 + 1 } else { 0 };
+        let t113 = 0.001 * work.t107;
+        let t115 = 5e-7 * work.t108;
+        let t116 = work.t106 + t113;
+        work.t117 = t116 + t115;
+        let t118 = 0.001 * work.t108;
+        work.t119 = work.t107 + t118;
+        let t120 = self.edge[work.t110.min(50)];
+        let t121 = self.edge[work.t111.min(50)];
+        let t122 = t121 - t120;
+        let t123 = t122 * 0.159_154_94;
+        let t124 = t123 + 1.258_291_2e7;
+        let t125 = t124 - 1.258_291_2e7;
+        let t126 = t125 * 6.283_185_5;
+        let t127 = t122 - t126;
+        work.t128 = work.t109 + t127;
+        let t129 = self.age_edge[work.t111.min(50)];
+        let t130 = -0.01 * t129;
+        let t131 = 5e-5 * t129;
+        let t132 = t131 * t129;
+        let t133 = gains[0];
+        let t134 = gains[3];
+        let t135 = t130 * t134;
+        let t136 = gains[6];
+        let t137 = t132 * t136;
+        let t138 = t133 + t135;
+        let t139 = t138 + t137;
+        let t140 = gains[1];
+        let t141 = gains[4];
+        let t142 = t130 * t141;
+        let t143 = gains[7];
+        let t144 = t132 * t143;
+        let t145 = t140 + t142;
+        let t146 = t145 + t144;
+        let t147 = gains[2];
+        let t148 = gains[5];
+        let t149 = t130 * t148;
+        let t150 = gains[8];
+        let t151 = t132 * t150;
+        let t152 = t147 + t149;
+        let t153 = t152 + t151;
+        let t154 = self.has_edge[work.t111.min(50)];
+        let t155 = t130 * work.t119;
+        let t156 = t132 * work.t108;
+        let t157 = work.t117 + t155;
+        let t158 = t157 + t156;
+        let t159 = work.t128 - t158;
+        let t160 = t154 * t139;
+        let t161 = t154 * t146;
+        let t162 = t154 * t153;
+        let t163 = t160 * t160;
+        work.t164 = work.t097 + t163;
+        let t165 = t160 * t161;
+        work.t166 = work.t098 + t165;
+        let t167 = t160 * t162;
+        work.t168 = work.t099 + t167;
+        let t169 = t161 * t161;
+        work.t170 = work.t100 + t169;
+        let t171 = t161 * t162;
+        work.t172 = work.t101 + t171;
+        let t173 = t162 * t162;
+        work.t174 = work.t102 + t173;
+        let t175 = t160 * t159;
+        work.t176 = work.t103 + t175;
+        let t177 = t161 * t159;
+        work.t178 = work.t104 + t177;
+        let t179 = t162 * t159;
+        work.t180 = work.t105 + t179;
+        work.t181 = work.t108 - 0.0;
     }
 
     /// Part 4 of a step.
     fn part_4(&self, work: &mut Work) {
-        work.t090 = work.t073;
-        work.t091 = work.t075;
-        work.t092 = work.t077;
-        work.t093 = work.t079;
-        work.t094 = work.t081;
-        work.t095 = work.t083;
-        work.t096 = work.t085;
-        work.t097 = work.t087;
-        work.t098 = work.t089;
-        work.t099 = 0.0;
-        work.t100 = 0.0;
-        work.t101 = 0.0;
-        work.t102 = 0.0;
-        work.t103 = work.t041;
+        work.t097 = work.t080;
+        work.t098 = work.t082;
+        work.t099 = work.t084;
+        work.t100 = work.t086;
+        work.t101 = work.t088;
+        work.t102 = work.t090;
+        work.t103 = work.t092;
+        work.t104 = work.t094;
+        work.t105 = work.t096;
+        work.t106 = 0.0;
+        work.t107 = 0.0;
+        work.t108 = 0.0;
+        work.t109 = 0.0;
+        work.t110 = work.t048;
         for gains in &ROWS {
             self.part_3(work, *gains);
-            work.t090 = work.t158;
-            work.t091 = work.t160;
-            work.t092 = work.t162;
-            work.t093 = work.t164;
-            work.t094 = work.t166;
-            work.t095 = work.t168;
-            work.t096 = work.t170;
-            work.t097 = work.t172;
-            work.t098 = work.t174;
-            work.t099 = work.t110;
-            work.t100 = work.t112;
-            work.t101 = work.t175;
-            work.t102 = work.t122;
-            work.t103 = work.t104;
+            work.t097 = work.t164;
+            work.t098 = work.t166;
+            work.t099 = work.t168;
+            work.t100 = work.t170;
+            work.t101 = work.t172;
+            work.t102 = work.t174;
+            work.t103 = work.t176;
+            work.t104 = work.t178;
+            work.t105 = work.t180;
+            work.t106 = work.t117;
+            work.t107 = work.t119;
+            work.t108 = work.t181;
+            work.t109 = work.t128;
+            work.t110 = work.t111;
         }
     }
 
     /// Part 5 of a step.
     fn part_5(&self, work: &mut Work) {
         // the window's start from the samples that are there
-        let t177 = 0.015_625 < work.t090;
-        let t178 = if t177 { work.t090 } else { 1.0 };
-        let t179 = work.t091 / t178;
-        let t180 = t179 * work.t091;
-        let t181 = work.t093 - t180;
-        let t182 = t179 * work.t092;
-        let t183 = work.t094 - t182;
-        let t184 = t179 * work.t096;
-        let t185 = work.t097 - t184;
-        let t186 = work.t092 / t178;
-        let t187 = t186 * work.t092;
-        let t188 = work.t095 - t187;
-        let t189 = t186 * work.t096;
-        let t190 = work.t098 - t189;
-        let t191 = 0.015_625 < t181;
-        let t192 = t177 && t191;
-        let t193 = if t191 { t181 } else { 1.0 };
-        let t194 = t183 / t193;
-        let t195 = t194 * t183;
-        let t196 = t188 - t195;
-        let t197 = t194 * t185;
-        let t198 = t190 - t197;
-        let t199 = 0.015_625 < t196;
-        work.flags[1] = t192 && t199;
-        let t201 = if t199 { t196 } else { 1.0 };
-        let t202 = t198 / t201;
-        let t203 = t183 * t202;
-        let t204 = t185 - t203;
-        let t205 = t204 / t193;
-        let t206 = work.t091 * t205;
-        let t207 = work.t096 - t206;
-        let t208 = work.t092 * t202;
-        let t209 = t207 - t208;
-        let t210 = t209 / t178;
-        let t211 = 0.140_028_01 * t210;
-        let t213 = 0.237_825_75 * t205;
-        let t214 = 0.295_218_35 * t202;
-        let t215 = t211 + t213;
-        let t216 = t215 + t214;
-        let t217 = t216 + work.t099;
-        let t218 = 9.51303 * t205;
-        let t220 = 36.149_185 * t202;
-        let t221 = t218 + t220;
-        work.t222 = t221 + work.t100;
-        let t223 = 1445.9674 * t202;
-        work.t224 = t223 + work.t101;
-        let t225 = self.edge[work.t018.min(50)];
-        let t226 = t225 - work.t102;
-        work.t227 = t217 + t226;
+        let t183 = 0.015_625 < work.t097;
+        let t184 = if t183 { work.t097 } else { 1.0 };
+        let t185 = work.t098 / t184;
+        let t186 = t185 * work.t098;
+        let t187 = work.t100 - t186;
+        let t188 = t185 * work.t099;
+        let t189 = work.t101 - t188;
+        let t190 = t185 * work.t103;
+        let t191 = work.t104 - t190;
+        let t192 = work.t099 / t184;
+        let t193 = t192 * work.t099;
+        let t194 = work.t102 - t193;
+        let t195 = t192 * work.t103;
+        let t196 = work.t105 - t195;
+        let t197 = 0.015_625 < t187;
+        let t198 = t183 && t197;
+        let t199 = if t197 { t187 } else { 1.0 };
+        let t200 = t189 / t199;
+        let t201 = t200 * t189;
+        let t202 = t194 - t201;
+        let t203 = t200 * t191;
+        let t204 = t196 - t203;
+        let t205 = 0.015_625 < t202;
+        work.flags[1] = t198 && t205;
+        let t207 = if t205 { t202 } else { 1.0 };
+        let t208 = t204 / t207;
+        let t209 = t189 * t208;
+        let t210 = t191 - t209;
+        let t211 = t210 / t199;
+        let t212 = work.t098 * t211;
+        let t213 = work.t103 - t212;
+        let t214 = work.t099 * t208;
+        let t215 = t213 - t214;
+        let t216 = t215 / t184;
+        let t217 = 0.140_028_01 * t216;
+        let t219 = 0.237_825_75 * t211;
+        let t220 = 0.295_218_35 * t208;
+        let t221 = t217 + t219;
+        let t222 = t221 + t220;
+        let t223 = t222 + work.t106;
+        let t224 = 9.51303 * t211;
+        let t226 = 36.149_185 * t208;
+        let t227 = t224 + t226;
+        work.t228 = t227 + work.t107;
+        let t229 = 1445.9674 * t208;
+        work.t230 = t229 + work.t108;
+        let t231 = self.edge[work.t025.min(50)];
+        let t232 = t231 - work.t109;
+        work.t233 = t223 + t232;
     }
 
     /// Part 6 of a step.
     fn part_6(&mut self, work: &mut Work) {
         // without enough samples, the model's prediction
-        let t228 = self.known;
-        let t229 = t228 == 1;
-        let t230 = self.next_q;
-        let t231 = self.next_dq;
-        let t232 = self.next_ddq;
-        let t233 = t230 * 0.159_154_94;
-        let t234 = t233 + 1.258_291_2e7;
-        let t235 = t234 - 1.258_291_2e7;
-        let t237 = t235 * -6.283_185_5;
-        let t238 = t230 + t237;
+        let t234 = self.known;
+        let t235 = t234 == 1;
+        let t237 = work.t032 * -6.283_185_5;
+        let t238 = work.t026 + t237;
         let t239 = (-1e24..=1e24).contains(&t238);
-        let t240 = t229 && t239;
-        let t241 = if work.flags[1] { work.t227 } else { t238 };
-        let t242 = (-1e24..=1e24).contains(&t231);
+        let t240 = t235 && t239;
+        let t241 = if work.flags[1] { work.t233 } else { t238 };
+        let t242 = (-1e24..=1e24).contains(&work.t027);
         let t243 = t240 && t242;
-        let t244 = if work.flags[1] { work.t222 } else { t231 };
-        let t245 = (-1e24..=1e24).contains(&t232);
+        let t244 = if work.flags[1] { work.t228 } else { work.t027 };
+        let t245 = (-1e24..=1e24).contains(&work.t028);
         let t246 = t243 && t245;
-        let t247 = if work.flags[1] { work.t224 } else { t232 };
+        let t247 = if work.flags[1] { work.t230 } else { work.t028 };
         let t248 = work.flags[1] || t246;
         let t249 = work.flags[0] && t248;
         let t250 = usize::from(t249);
@@ -601,7 +609,7 @@ impl Observer {
         self.next_ddq = t264;
 
         // the estimate; until there is one, the start
-        work.t265 = if t249 { t241 } else { work.t028 };
+        work.t265 = if t249 { t241 } else { work.t035 };
         work.t266 = if t249 { t244 } else { 0.0 };
         work.t267 = if t249 { t247 } else { 0.0 };
         let t268 = self.coasting;

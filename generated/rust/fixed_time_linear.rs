@@ -86,7 +86,7 @@ pub struct Observer {
     good: usize,
     /// good calls in a row, at most 3
     clean: usize,
-    /// the last good value
+    /// u of the last call
     last_u: f64,
 }
 
@@ -114,7 +114,6 @@ impl Observer {
         let t3 = (-1e302..=1e302).contains(&t2);
         let t4 = self.last_u;
         let t5 = if t3 { t2 } else { t4 };
-        self.last_u = t5;
 
         // prediction by the plant
         let t6 = self.x;
@@ -137,6 +136,7 @@ impl Observer {
         let t32 = 0.951_229_424_500_714 * t8;
         let t34 = 0.048_770_575_499_285_99 * t5;
         let t35 = t32 + t34;
+        self.last_u = t5;
         let t36 = t3 && t1;
 
         // correction by the innovation

@@ -84,10 +84,10 @@ pub struct Observer {
     clean: usize,
     /// the last sway, measured or predicted
     last_sway: f32,
+    /// trolley of the last call
+    last_trolley: f32,
     /// sin(sway) of the last call
     last_known1: f32,
-    /// the last good value
-    last_trolley: f32,
 }
 
 impl Observer {
@@ -100,8 +100,8 @@ impl Observer {
             good: 0,
             clean: 0,
             last_sway: 0.0,
-            last_known1: 0.0,
             last_trolley: 0.0,
+            last_known1: 0.0,
         }
     }
 
@@ -115,7 +115,6 @@ impl Observer {
         let t3 = (-1e37..=1e37).contains(&t2);
         let t4 = self.last_trolley;
         let t5 = if t3 { t2 } else { t4 };
-        self.last_trolley = t5;
 
         // prediction by the plant
         let t6 = self.sway;
@@ -134,15 +133,16 @@ impl Observer {
         let t25 = t24 + t23;
         let t27 = -1.089_972_8e-6 * t8;
         let t28 = t17 + t27;
-        let t30 = (-1.0..=1.0).contains(&t28);
-        let t31 = self.last_sway;
-        let t32 = if t30 { t28 } else { t31 };
+        let t30 = self.last_sway;
+        let t31 = (-1.0..=1.0).contains(&t28);
+        let t32 = if t31 { t28 } else { t30 };
         let t33 = if t1 { t0 } else { t32 };
         let t34 = ::deadbeat::math::sin_f32(t33);
         let t35 = -1.089_972_8e-6 * t34;
         let t36 = t17 + t35;
         let t37 = -0.001_634_945_5 * t34;
         let t38 = t25 + t37;
+        self.last_trolley = t5;
         self.last_known1 = t34;
         self.last_sway = t33;
         let t39 = t3 && t1;

@@ -459,21 +459,21 @@ impl Observer {
         let t065 = t054 && t061;
         let t066 = !t065;
         let t067 = t064 && t066;
-        let t068 = t006 && t008;
-        let t069 = t040 || t049;
-        let t070 = t069 || t067;
+        let t068 = t040 || t049;
+        let t069 = t068 || t067;
+        let t070 = t006 && t008;
 
         // how much of the window is good
         let t072 = if t002 < 21 { t002 + 1 } else { 21 };
-        let t073 = if t070 { 0 } else { t072 };
+        let t073 = if t069 { 0 } else { t072 };
         let t074 = if t010 { t072 } else { 1 };
-        let t075 = if t068 { t074 } else { 0 };
+        let t075 = if t070 { t074 } else { 0 };
         work.t076 = if t004 { t073 } else { t075 };
         self.count = work.t076;
         let t077 = self.coasting;
         let t078 = t077.saturating_sub(1);
         let t079 = if t010 { t078 } else { 20 };
-        let t081 = if t068 { t079 } else { 21 };
+        let t081 = if t070 { t079 } else { 21 };
         self.coasting = t081;
     }
 

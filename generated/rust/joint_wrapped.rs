@@ -29,7 +29,7 @@
 //!
 //! Cost       21 multiplications, 27 additions, 1 sin a call, the same for every call
 //! Memory     state 36 bytes, constants 0 bytes
-//!            at most: stack 1600 bytes, flash 4524 bytes without elementary functions
+//!            at most: stack 1600 bytes, flash 4536 bytes without elementary functions
 //!
 //! Contract:
 //!  1. No heap, no recursion, no global or static mutable data, no file or console, no library.
@@ -89,10 +89,10 @@ pub struct Observer {
     clean: usize,
     /// the last angle, measured or predicted
     last_angle: f32,
+    /// i of the last call
+    last_i: f32,
     /// sin(q) of the last call
     last_known1: f32,
-    /// the last good value
-    last_i: f32,
     /// samples of angle rejected in a row
     rejected_angle: usize,
     /// calls since the newest accepted sample
@@ -103,14 +103,14 @@ pub struct Observer {
 struct Work {
     t020: f32,
     t045: usize,
-    t073: f32,
-    t076: f32,
-    t078: f32,
-    t112: f32,
-    t113: f32,
-    t127: usize,
+    t074: f32,
+    t078: usize,
+    t080: f32,
+    t082: f32,
+    t116: f32,
+    t117: f32,
     t135: Status,
-    /// t68, t69, t79
+    /// t70, t71, t83
     flags: [bool; 3],
 }
 
@@ -119,12 +119,12 @@ impl Work {
     const EMPTY: Self = Self {
         t020: 0.0,
         t045: 0,
-        t073: 0.0,
-        t076: 0.0,
-        t078: 0.0,
-        t112: 0.0,
-        t113: 0.0,
-        t127: 0,
+        t074: 0.0,
+        t078: 0,
+        t080: 0.0,
+        t082: 0.0,
+        t116: 0.0,
+        t117: 0.0,
         t135: Status::Converging,
         flags: [false; 3],
     };
@@ -140,8 +140,8 @@ impl Observer {
             good: 0,
             clean: 0,
             last_angle: 0.0,
-            last_known1: 0.0,
             last_i: 0.0,
+            last_known1: 0.0,
             rejected_angle: 0,
             coasted: 0,
         }
@@ -154,9 +154,9 @@ impl Observer {
         self.part_1(measurements, inputs, &mut work);
         self.part_2(&mut work);
         Estimate {
-            q: work.t112,
-            dq: work.t113,
-            coasted: ::deadbeat::math::u32_from_index(work.t127),
+            q: work.t116,
+            dq: work.t117,
+            coasted: ::deadbeat::math::u32_from_index(work.t078),
             status: work.t135,
         }
     }
@@ -179,7 +179,6 @@ impl Observer {
         let t017 = (-1e36..=1e36).contains(&t016);
         let t018 = self.last_i;
         let t019 = if t017 { t016 } else { t018 };
-        self.last_i = t019;
 
         // prediction by the plant
         work.t020 = self.q;
@@ -206,92 +205,93 @@ impl Observer {
         let t050 = t049 - 1.258_291_2e7;
         let t052 = t050 * 6.283_185_5;
         let t053 = t047 - t052;
-        let t054 = (-0.3..=0.3).contains(&t053);
-        let t055 = !t054;
-        let t056 = t046 && t055;
-        let t057 = t001 && t056;
-        let t058 = self.rejected_angle;
-        let t061 = t058 < 88;
-        let t062 = t057 && t061;
-        let t063 = if t058 < 89 { t058 + 1 } else { 89 };
-        let t064 = if t001 { 0 } else { t058 };
-        let t065 = if t062 { t063 } else { t064 };
-        self.rejected_angle = t065;
-        let t066 = !t062;
-        let t067 = !t061;
-        work.flags[0] = t001 && t066;
-        work.flags[1] = t057 && t067;
-        let t070 = (-6.283_185_5..=6.283_185_5).contains(&t042);
-        let t071 = self.last_angle;
-        let t072 = if t070 { t042 } else { t071 };
-        work.t073 = if work.flags[0] { t015 } else { t072 };
-        let t074 = ::deadbeat::math::sin_f32(work.t073);
-        let t075 = -8.161_565e-5 * t074;
-        work.t076 = t031 + t075;
-        let t077 = -0.048_959_192 * t074;
-        work.t078 = t039 + t077;
-        self.last_known1 = t074;
-        self.last_angle = work.t073;
+        let t054 = (-6.283_185_5..=6.283_185_5).contains(&t042);
+        let t055 = (-0.3..=0.3).contains(&t053);
+        let t056 = !t055;
+        let t057 = t054 && t056;
+        let t058 = t046 && t057;
+        let t059 = t001 && t058;
+        let t060 = self.rejected_angle;
+        let t063 = t060 < 88;
+        let t064 = t059 && t063;
+        let t065 = if t060 < 89 { t060 + 1 } else { 89 };
+        let t066 = if t001 { 0 } else { t060 };
+        let t067 = if t064 { t065 } else { t066 };
+        self.rejected_angle = t067;
+        let t068 = !t064;
+        let t069 = !t063;
+        work.flags[0] = t001 && t068;
+        work.flags[1] = t059 && t069;
+        let t072 = self.last_angle;
+        let t073 = if t054 { t042 } else { t072 };
+        work.t074 = if work.flags[0] { t015 } else { t073 };
+        let t075 = ::deadbeat::math::sin_f32(work.t074);
+        let t076 = self.coasted;
+        let t077 = if t076 < 4_294_967_295 { t076 + 1 } else { 4_294_967_295 };
+        work.t078 = if work.flags[0] { 0 } else { t077 };
+        self.coasted = work.t078;
+        let t079 = -8.161_565e-5 * t075;
+        work.t080 = t031 + t079;
+        let t081 = -0.048_959_192 * t075;
+        work.t082 = t039 + t081;
+        self.last_i = t019;
+        self.last_known1 = t075;
+        self.last_angle = work.t074;
         work.flags[2] = t017 && work.flags[0];
     }
 
     /// Part 2 of a step.
     fn part_2(&mut self, work: &mut Work) {
         // correction by the innovation
-        let t080 = work.t076 - work.t020;
-        let t081 = (-::core::f32::consts::PI..=::core::f32::consts::PI).contains(&t080);
-        let t082 = !t081;
-        let t083 = t082 || work.flags[1];
-        let t085 = work.t073 - work.t076;
-        let t086 = t085 * 0.159_154_94;
-        let t087 = t086 + 1.258_291_2e7;
-        let t088 = t087 - 1.258_291_2e7;
-        let t089 = t088 * 6.283_185_5;
-        let t090 = t085 - t089;
-        let t091 = if work.flags[0] { t090 } else { 0.0 };
-        let t093 = 0.269_049_23 * t091;
-        let t095 = 8.415_041 * t091;
-        let t096 = work.t076 + t093;
-        let t097 = work.t078 + t095;
-        let t098 = t096 * 0.159_154_94;
-        let t099 = t098 + 1.258_291_2e7;
-        let t100 = t099 - 1.258_291_2e7;
-        let t101 = t100 * 6.283_185_5;
-        let t102 = t096 - t101;
+        let t084 = work.t080 - work.t020;
+        let t085 = (-::core::f32::consts::PI..=::core::f32::consts::PI).contains(&t084);
+        let t086 = !t085;
+        let t087 = t086 || work.flags[1];
+        let t089 = work.t074 - work.t080;
+        let t090 = t089 * 0.159_154_94;
+        let t091 = t090 + 1.258_291_2e7;
+        let t092 = t091 - 1.258_291_2e7;
+        let t093 = t092 * 6.283_185_5;
+        let t094 = t089 - t093;
+        let t095 = if work.flags[0] { t094 } else { 0.0 };
+        let t097 = 0.269_049_23 * t095;
+        let t099 = 8.415_041 * t095;
+        let t100 = work.t080 + t097;
+        let t101 = work.t082 + t099;
+        let t102 = t100 * 0.159_154_94;
+        let t103 = t102 + 1.258_291_2e7;
+        let t104 = t103 - 1.258_291_2e7;
+        let t105 = t104 * 6.283_185_5;
+        let t106 = t100 - t105;
 
         // the first sample starts the observer; so does a state beyond all bounds
-        let t103 = work.t045 == 0;
-        let t104 = t103 || t083;
-        let t105 = (-1e36..=1e36).contains(&t102);
-        let t106 = !t105;
-        let t107 = t104 || t106;
-        let t108 = (-1e36..=1e36).contains(&t097);
-        let t109 = !t108;
-        let t110 = t107 || t109;
-        let t111 = if work.flags[0] { work.t073 } else { 0.0 };
-        work.t112 = if t110 { t111 } else { t102 };
-        self.q = work.t112;
-        work.t113 = if t110 { 0.0 } else { t097 };
-        self.dq = work.t113;
-        let t115 = usize::from(work.flags[0]);
-        let t116 = if work.t045 < 90 { work.t045 + 1 } else { 90 };
-        let t117 = if work.flags[0] { t116 } else { work.t045 };
-        let t118 = if t110 { t115 } else { t117 };
-        self.good = t118;
-        let t119 = self.clean;
-        let t120 = if t119 < 99 { t119 + 1 } else { 99 };
-        let t121 = if work.flags[2] { t120 } else { 0 };
-        let t123 = if t110 { 99 } else { t121 };
-        self.clean = t123;
-        let t124 = self.coasted;
-        let t125 = if t124 < 4_294_967_295 { t124 + 1 } else { 4_294_967_295 };
-        let t126 = if work.flags[0] { 0 } else { t125 };
-        self.coasted = t126;
+        let t107 = work.t045 == 0;
+        let t108 = t107 || t087;
+        let t109 = (-1e36..=1e36).contains(&t106);
+        let t110 = !t109;
+        let t111 = t108 || t110;
+        let t112 = (-1e36..=1e36).contains(&t101);
+        let t113 = !t112;
+        let t114 = t111 || t113;
+        let t115 = if work.flags[0] { work.t074 } else { 0.0 };
+        work.t116 = if t114 { t115 } else { t106 };
+        self.q = work.t116;
+        work.t117 = if t114 { 0.0 } else { t101 };
+        self.dq = work.t117;
+        let t119 = usize::from(work.flags[0]);
+        let t120 = if work.t045 < 90 { work.t045 + 1 } else { 90 };
+        let t121 = if work.flags[0] { t120 } else { work.t045 };
+        let t122 = if t114 { t119 } else { t121 };
+        self.good = t122;
+        let t123 = self.clean;
+        let t124 = if t123 < 99 { t123 + 1 } else { 99 };
+        let t125 = if work.flags[2] { t124 } else { 0 };
+        let t127 = if t114 { 99 } else { t125 };
+        self.clean = t127;
 
         // the estimate
-        work.t127 = self.coasted;
-        let t129 = 89 < t118;
-        let t130 = 98 < t123;
+        let t129 = 89 < t122;
+        let t130 = 98 < t127;
         let t134 = if t130 { Status::Converged } else { Status::Coasting };
         work.t135 = if t129 { t134 } else { Status::Converging };
     }

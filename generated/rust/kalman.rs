@@ -117,9 +117,9 @@ impl Observer {
         let t15 = t12 + t14;
         let t17 = 1.070_297e-5 * t4;
         let t18 = t10 + t17;
-        let t20 = (-1e36..=1e36).contains(&t18);
-        let t21 = self.last_theta;
-        let t22 = if t20 { t18 } else { t21 };
+        let t20 = self.last_theta;
+        let t21 = (-1e36..=1e36).contains(&t18);
+        let t22 = if t21 { t18 } else { t20 };
         let t23 = if t1 { t0 } else { t22 };
         let t24 = ::deadbeat::math::sin_f32(t23);
         let t25 = 1.070_297e-5 * t24;

@@ -326,8 +326,8 @@ struct Work {
     t012: f32,
     t013: usize,
     t015: usize,
-    t030: f32,
-    t038: f32,
+    t028: f32,
+    t035: f32,
     t048: f32,
     t075: usize,
     t086: f32,
@@ -367,7 +367,7 @@ struct Work {
     t329: f32,
     t330: f32,
     t337: Status,
-    /// t4, t6, t8, t10, t67, t69
+    /// t4, t6, t8, t10, t68, t69
     flags: [bool; 6],
 }
 
@@ -378,8 +378,8 @@ impl Work {
         t012: 0.0,
         t013: 0,
         t015: 0,
-        t030: 0.0,
-        t038: 0.0,
+        t028: 0.0,
+        t035: 0.0,
         t048: 0.0,
         t075: 0,
         t086: 0.0,
@@ -487,21 +487,21 @@ impl Observer {
         let t020 = t017 + t019;
         let t021 = self.camera[t001];
         let t022 = self.wheel[t001];
-        let t023 = (-1e36..=1e36).contains(&t016);
-        let t024 = (-20.0..=20.0).contains(&t020);
-        let t025 = work.flags[0] && t024;
-        let t026 = if t025 { t020 } else { t022 };
-        let t027 = if work.flags[2] { t007 } else { t026 };
-        let t029 = 20.0 * t027;
-        work.t030 = ::deadbeat::math::tanh_f32(t029);
-        let t031 = self.tanh_20_wheel[t001];
-        let t033 = 43 < work.t002;
-        let t034 = t033 && t023;
-        let t035 = if t034 { t016 } else { t021 };
-        let t036 = work.flags[1] || t034;
-        let t037 = !t036;
-        work.t038 = if work.flags[1] { t005 } else { t035 };
-        let t039 = work.t030 - t031;
+        let t024 = 43 < work.t002;
+        let t025 = (-1e36..=1e36).contains(&t016);
+        let t026 = t024 && t025;
+        let t027 = if t026 { t016 } else { t021 };
+        work.t028 = if work.flags[1] { t005 } else { t027 };
+        let t029 = (-20.0..=20.0).contains(&t020);
+        let t030 = work.flags[0] && t029;
+        let t031 = if t030 { t020 } else { t022 };
+        let t032 = if work.flags[2] { t007 } else { t031 };
+        let t034 = 20.0 * t032;
+        work.t035 = ::deadbeat::math::tanh_f32(t034);
+        let t036 = self.tanh_20_wheel[t001];
+        let t037 = work.flags[1] || t026;
+        let t038 = !t037;
+        let t039 = work.t035 - t036;
         let t041 = -0.000_185_480_31 * t039;
         let t042 = t020 + t041;
         let t043 = (-20.0..=20.0).contains(&t042);
@@ -528,18 +528,18 @@ impl Observer {
         let t064 = t053 && t060;
         let t065 = !t064;
         let t066 = t063 && t065;
-        work.flags[4] = work.flags[2] && work.flags[1];
-        let t068 = t037 || t047;
-        work.flags[5] = t068 || t066;
+        let t067 = t038 || t047;
+        work.flags[4] = t067 || t066;
+        work.flags[5] = work.flags[2] && work.flags[1];
     }
 
     /// Part 2 of a step.
     fn part_2(&mut self, work: &mut Work) {
         // how much of the window is good
         let t071 = if work.t002 < 44 { work.t002 + 1 } else { 44 };
-        let t072 = if work.flags[5] { 0 } else { t071 };
+        let t072 = if work.flags[4] { 0 } else { t071 };
         let t073 = if work.flags[3] { t071 } else { 1 };
-        let t074 = if work.flags[4] { t073 } else { 0 };
+        let t074 = if work.flags[5] { t073 } else { 0 };
         work.t075 = if work.flags[0] { t072 } else { t074 };
         self.count = work.t075;
         let t076 = self.coasting;
@@ -553,10 +553,10 @@ impl Observer {
 
         // into the window
         self.newest = work.t013;
-        self.camera[work.t013.min(40)] = work.t038;
+        self.camera[work.t013.min(40)] = work.t028;
         self.wheel[work.t013.min(40)] = work.t048;
         self.force[work.t013.min(40)] = work.t012;
-        self.tanh_20_wheel[work.t013.min(40)] = work.t030;
+        self.tanh_20_wheel[work.t013.min(40)] = work.t035;
     }
 
     /// Part 3 of a step.
@@ -781,7 +781,7 @@ impl Observer {
         let t316 = 0.258_096_25 * t307;
         let t318 = 0.001_356_897_8 * t310;
         let t320 = 0.740_818_2 * t313;
-        let t322 = -0.000_542_759_1 * work.t030;
+        let t322 = -0.000_542_759_1 * work.t035;
         let t323 = t316 + t318;
         let t324 = t323 + t320;
         let t325 = t324 + t322;

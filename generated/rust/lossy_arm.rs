@@ -139,13 +139,13 @@ struct Work {
     t017: f32,
     t021: f32,
     t022: usize,
-    t075: f32,
+    t073: f32,
     t076: f32,
     t079: f32,
     t082: f32,
-    t085: f32,
-    t091: f32,
-    t098: usize,
+    t092: f32,
+    t095: usize,
+    t097: f32,
     t107: usize,
     t130: f32,
     t131: f32,
@@ -158,7 +158,7 @@ struct Work {
     t240: f32,
     t241: f32,
     t249: Status,
-    /// t3, t19, t52, t113
+    /// t3, t19, t44, t113
     flags: [bool; 4],
 }
 
@@ -169,13 +169,13 @@ impl Work {
         t017: 0.0,
         t021: 0.0,
         t022: 0,
-        t075: 0.0,
+        t073: 0.0,
         t076: 0.0,
         t079: 0.0,
         t082: 0.0,
-        t085: 0.0,
-        t091: 0.0,
-        t098: 0,
+        t092: 0.0,
+        t095: 0,
+        t097: 0.0,
         t107: 0,
         t130: 0.0,
         t131: 0.0,
@@ -223,7 +223,7 @@ impl Observer {
         Estimate {
             q: work.t240,
             dq: work.t241,
-            coasted: ::deadbeat::math::u32_from_index(work.t098),
+            coasted: ::deadbeat::math::u32_from_index(work.t095),
             status: work.t249,
         }
     }
@@ -248,12 +248,12 @@ impl Observer {
         work.flags[1] = (-1e28..=1e28).contains(&t018);
         let t020 = self.u[work.t001.min(25)];
         work.t021 = if work.flags[1] { t018 } else { t020 };
-        work.t022 = if work.t001 < 25 { work.t001 + 1 } else { 0 };
     }
 
     /// Part 2 of a step.
     fn part_2(&mut self, work: &mut Work) {
         // prediction of what the samples show
+        work.t022 = if work.t001 < 25 { work.t001 + 1 } else { 0 };
         let t023 = self.sin_q[work.t001.min(25)];
         let t024 = self.next_q;
         let t026 = 1.598_933_9e-5 * work.t021;
@@ -267,76 +267,76 @@ impl Observer {
         let t038 = t037 - 1.258_291_2e7;
         let t040 = t038 * 6.283_185_5;
         let t041 = t030 - t040;
-        let t042 = (-6.283_185_5..=6.283_185_5).contains(&t041);
-        let t043 = work.t017 - t041;
-        let t044 = t043 * 0.159_154_94;
-        let t045 = t044 + 1.258_291_2e7;
-        let t046 = t045 - 1.258_291_2e7;
-        let t047 = t046 * 6.283_185_5;
-        let t048 = t043 - t047;
-        let t049 = self.count;
-        let t050 = self.known;
-        work.flags[2] = t050 == 1;
-        let t053 = (-0.3..=0.3).contains(&t048);
-        let t054 = !t053;
-        let t055 = t042 && t054;
-        let t056 = work.flags[2] && t055;
-        let t057 = work.flags[0] && t056;
-        let t058 = self.rejected_y;
-        let t061 = t058 < 24;
-        let t062 = t057 && t061;
-        let t063 = if t058 < 25 { t058 + 1 } else { 25 };
-        let t064 = if work.flags[0] { 0 } else { t058 };
-        let t065 = if t062 { t063 } else { t064 };
-        self.rejected_y = t065;
-        let t066 = !t062;
-        let t067 = !t061;
-        let t068 = work.flags[0] && t066;
-        let t069 = t057 && t067;
-        let t071 = self.y[work.t001.min(25)];
-        let t072 = work.flags[2] && t042;
-        let t073 = if t072 { t041 } else { t071 };
-        let t074 = if t068 { work.t017 } else { t073 };
-        work.t075 = if t068 { 1.0 } else { 0.0 };
-        work.t076 = ::deadbeat::math::sin_f32(t074);
-        let t077 = -2.332_167e-5 * work.t076;
-        let t078 = t026 + t077;
-        work.t079 = t024 + t078;
-        let t080 = -0.034_976_68 * work.t076;
-        let t081 = t033 + t080;
-        work.t082 = t031 + t081;
-        let t083 = work.t079 * 0.159_154_94;
-        let t084 = t083 + 1.258_291_2e7;
-        work.t085 = t084 - 1.258_291_2e7;
-        let t086 = work.t085 * 6.283_185_5;
-        let t087 = work.t079 - t086;
-        let t088 = (-6.283_185_5..=6.283_185_5).contains(&t087);
-        let t089 = work.flags[2] && t088;
-        let t090 = if t089 { t087 } else { t074 };
-        work.t091 = if t068 { work.t017 } else { t090 };
-        let t092 = !t068;
-        let t093 = !t088;
-        let t094 = work.flags[2] && t093;
-        let t095 = t092 && t094;
-        let t096 = self.since;
-        let t097 = if t096 < 4_294_967_295 { t096 + 1 } else { 4_294_967_295 };
-        work.t098 = if t068 { 0 } else { t097 };
-        self.since = work.t098;
+        let t042 = self.known;
+        work.flags[2] = t042 == 1;
+        let t045 = work.t017 - t041;
+        let t046 = t045 * 0.159_154_94;
+        let t047 = t046 + 1.258_291_2e7;
+        let t048 = t047 - 1.258_291_2e7;
+        let t049 = t048 * 6.283_185_5;
+        let t050 = t045 - t049;
+        let t051 = (-6.283_185_5..=6.283_185_5).contains(&t041);
+        let t052 = (-0.3..=0.3).contains(&t050);
+        let t053 = !t052;
+        let t054 = t051 && t053;
+        let t055 = work.flags[2] && t054;
+        let t056 = work.flags[0] && t055;
+        let t057 = self.rejected_y;
+        let t060 = t057 < 24;
+        let t061 = t056 && t060;
+        let t062 = if t057 < 25 { t057 + 1 } else { 25 };
+        let t063 = if work.flags[0] { 0 } else { t057 };
+        let t064 = if t061 { t062 } else { t063 };
+        self.rejected_y = t064;
+        let t065 = !t061;
+        let t066 = !t060;
+        let t067 = work.flags[0] && t065;
+        let t068 = t056 && t066;
+        let t069 = self.y[work.t001.min(25)];
+        let t070 = work.flags[2] && t051;
+        let t071 = if t070 { t041 } else { t069 };
+        let t072 = if t067 { work.t017 } else { t071 };
+        work.t073 = ::deadbeat::math::sin_f32(t072);
+        let t074 = -2.332_167e-5 * work.t073;
+        let t075 = t026 + t074;
+        work.t076 = t024 + t075;
+        let t077 = -0.034_976_68 * work.t073;
+        let t078 = t033 + t077;
+        work.t079 = t031 + t078;
+        let t080 = work.t076 * 0.159_154_94;
+        let t081 = t080 + 1.258_291_2e7;
+        work.t082 = t081 - 1.258_291_2e7;
+        let t083 = work.t082 * 6.283_185_5;
+        let t084 = work.t076 - t083;
+        let t085 = (-6.283_185_5..=6.283_185_5).contains(&t084);
+        let t086 = work.flags[2] && t085;
+        let t087 = if t086 { t084 } else { t069 };
+        let t088 = !t067;
+        let t089 = !t085;
+        let t090 = work.flags[2] && t089;
+        let t091 = t088 && t090;
+        work.t092 = if t067 { work.t017 } else { t087 };
+        let t093 = self.since;
+        let t094 = if t093 < 4_294_967_295 { t093 + 1 } else { 4_294_967_295 };
+        work.t095 = if t067 { 0 } else { t094 };
+        self.since = work.t095;
+        work.t097 = if t067 { 1.0 } else { 0.0 };
+        let t098 = self.count;
 
         // how much of the window is good
-        let t100 = 25 < t049;
-        let t101 = !t069;
+        let t100 = 25 < t098;
+        let t101 = !t068;
         let t102 = t100 && t101;
         let t103 = work.flags[1] && t101;
-        let t104 = if t049 < 26 { t049 + 1 } else { 26 };
-        let t105 = if t095 { 0 } else { t104 };
+        let t104 = if t098 < 26 { t098 + 1 } else { 26 };
+        let t105 = if t091 { 0 } else { t104 };
         let t106 = if t103 { t104 } else { 1 };
         work.t107 = if t102 { t105 } else { t106 };
         self.count = work.t107;
         let t108 = self.coasting;
         let t109 = t108.saturating_sub(1);
         let t110 = if work.flags[1] { t109 } else { 25 };
-        let t112 = if t068 { t110 } else { 26 };
+        let t112 = if t067 { t110 } else { 26 };
         self.coasting = t112;
     }
 
@@ -344,10 +344,10 @@ impl Observer {
     fn part_3(&mut self, work: &mut Work) {
         // into the window
         self.newest = work.t022;
-        self.y[work.t022.min(25)] = work.t091;
-        self.has_y[work.t022.min(25)] = work.t075;
+        self.y[work.t022.min(25)] = work.t092;
+        self.has_y[work.t022.min(25)] = work.t097;
         self.u[work.t022.min(25)] = work.t021;
-        self.sin_q[work.t022.min(25)] = work.t076;
+        self.sin_q[work.t022.min(25)] = work.t073;
         work.flags[3] = 25 < work.t107;
 
         // rows of the window, oldest first; those without a sample count nothing
@@ -459,34 +459,34 @@ impl Observer {
         let t212 = t206 + t211;
 
         // without enough samples, the model's prediction
-        let t214 = work.t085 * -6.283_185_5;
-        let t215 = work.t079 + t214;
+        let t214 = work.t082 * -6.283_185_5;
+        let t215 = work.t076 + t214;
         let t216 = (-1e28..=1e28).contains(&t215);
         let t217 = work.flags[2] && t216;
         let t218 = if t196 { t212 } else { t215 };
-        let t219 = (-1e28..=1e28).contains(&work.t082);
+        let t219 = (-1e28..=1e28).contains(&work.t079);
         let t220 = t217 && t219;
-        let t221 = if t196 { t209 } else { work.t082 };
+        let t221 = if t196 { t209 } else { work.t079 };
         let t222 = t196 || t220;
         let t223 = work.flags[3] && t222;
         let t224 = usize::from(t223);
         self.known = t224;
         let t226 = 0.001_998_001_2 * t221;
         let t227 = t218 + t226;
-        let t229 = -4.663_168_5e-5 * work.t076;
+        let t229 = -4.663_168_5e-5 * work.t073;
         let t230 = t227 + t229;
         let t231 = (-1e28..=1e28).contains(&t230);
         let t232 = if t231 { t230 } else { 0.0 };
         self.next_q = t232;
         let t234 = 0.998_002 * t221;
-        let t236 = -0.034_953_367 * work.t076;
+        let t236 = -0.034_953_367 * work.t073;
         let t237 = t234 + t236;
         let t238 = (-1e28..=1e28).contains(&t237);
         let t239 = if t238 { t237 } else { 0.0 };
         self.next_dq = t239;
 
         // the estimate; until there is one, the start
-        work.t240 = if t223 { t218 } else { work.t091 };
+        work.t240 = if t223 { t218 } else { work.t092 };
         work.t241 = if t223 { t221 } else { 0.0 };
         let t242 = self.coasting;
         let t243 = t242 == 0;

@@ -231,11 +231,11 @@ static ROWS: [[f32; 3]; 130] = [
 /// What one part of a step hands to the next.
 struct Work {
     t004: usize,
-    t008: f32,
+    t005: f32,
+    t006: f32,
+    t007: f32,
+    t010: f32,
     t014: usize,
-    t049: f32,
-    t050: f32,
-    t051: f32,
     t052: f32,
     t053: f32,
     t054: f32,
@@ -245,26 +245,29 @@ struct Work {
     t058: f32,
     t059: f32,
     t060: f32,
-    t140: f32,
-    t146: f32,
-    t149: f32,
+    t061: f32,
+    t062: f32,
+    t063: f32,
+    t157: f32,
+    t160: f32,
+    t163: f32,
     t181: f32,
     t182: f32,
     t183: f32,
     t191: Status,
-    /// t20, t123
-    flags: [bool; 2],
+    /// t23, t126, t165
+    flags: [bool; 3],
 }
 
 impl Work {
     /// Before the first part.
     const EMPTY: Self = Self {
         t004: 0,
-        t008: 0.0,
+        t005: 0.0,
+        t006: 0.0,
+        t007: 0.0,
+        t010: 0.0,
         t014: 0,
-        t049: 0.0,
-        t050: 0.0,
-        t051: 0.0,
         t052: 0.0,
         t053: 0.0,
         t054: 0.0,
@@ -274,14 +277,17 @@ impl Work {
         t058: 0.0,
         t059: 0.0,
         t060: 0.0,
-        t140: 0.0,
-        t146: 0.0,
-        t149: 0.0,
+        t061: 0.0,
+        t062: 0.0,
+        t063: 0.0,
+        t157: 0.0,
+        t160: 0.0,
+        t163: 0.0,
         t181: 0.0,
         t182: 0.0,
         t183: 0.0,
         t191: Status::Converging,
-        flags: [false; 2],
+        flags: [false; 3],
     };
 }
 
@@ -308,7 +314,7 @@ impl Observer {
         let mut work = Work::EMPTY;
         self.part_1(measurements, &mut work);
         self.part_2(&mut work);
-        Self::part_3(&mut work);
+        self.part_3(&mut work);
         self.part_4(&mut work);
         Estimate {
             q: work.t181,
@@ -327,219 +333,219 @@ impl Observer {
         let t002 = measurements.y;
         let t003 = (-1e26..=1e26).contains(&t002);
         work.t004 = if t001 < 130 { t001 + 1 } else { 0 };
-        let t007 = self.y[t001];
-        work.t008 = if t003 { t002 } else { t007 };
-        let t009 = if t003 { 1.0 } else { 0.0 };
-        let t010 = self.count;
+        work.t005 = self.next_q;
+        work.t006 = self.next_dq;
+        work.t007 = self.next_ddq;
+        let t009 = self.y[t001];
+        work.t010 = if t003 { t002 } else { t009 };
         let t012 = self.since;
         let t013 = if t012 < 4_294_967_295 { t012 + 1 } else { 4_294_967_295 };
         work.t014 = if t003 { 0 } else { t013 };
         self.since = work.t014;
+        let t016 = if t003 { 1.0 } else { 0.0 };
+        let t017 = self.count;
 
         // how much of the window is good
-        let t017 = if t010 < 131 { t010 + 1 } else { 131 };
-        self.count = t017;
-        let t018 = self.coasting;
-        let t019 = t018.saturating_sub(1);
-        self.coasting = t019;
+        let t020 = if t017 < 131 { t017 + 1 } else { 131 };
+        self.count = t020;
+        let t021 = self.coasting;
+        let t022 = t021.saturating_sub(1);
+        self.coasting = t022;
 
         // into the window
         self.newest = work.t004;
-        self.y[work.t004.min(130)] = work.t008;
-        self.has_y[work.t004.min(130)] = t009;
-        work.flags[0] = 130 < t017;
+        self.y[work.t004.min(130)] = work.t010;
+        self.has_y[work.t004.min(130)] = t016;
+        work.flags[0] = 130 < t020;
     }
 
     /// Part 2 of a step.
     fn part_2(&self, work: &mut Work) {
         // rows of the window, oldest first; those without a sample count nothing
-        let t021 = if work.t004 < 130 { work.t004 + 1 } else { 0 };
-        let t025 = self.has_y[t021];
-        let t026 = self.y[t021];
-        let t027 = t026 - 0.0;
-        let t028 = t025 * 0.087_370_4;
-        let t029 = t025 * -0.150_179_16;
-        let t030 = t025 * 0.190_942_72;
-        let t031 = t028 * t028;
-        let t032 = 0.0 + t031;
-        let t033 = t028 * t029;
-        let t034 = 0.0 + t033;
-        let t035 = t028 * t030;
-        let t036 = 0.0 + t035;
-        let t037 = t029 * t029;
-        let t038 = 0.0 + t037;
-        let t039 = t029 * t030;
-        let t040 = 0.0 + t039;
-        let t041 = t030 * t030;
-        let t042 = 0.0 + t041;
-        let t043 = t028 * t027;
-        let t044 = 0.0 + t043;
-        let t045 = t029 * t027;
-        let t046 = 0.0 + t045;
-        let t047 = t030 * t027;
-        let t048 = 0.0 + t047;
-        work.t049 = t032;
-        work.t050 = t034;
-        work.t051 = t036;
-        work.t052 = t038;
-        work.t053 = t040;
-        work.t054 = t042;
-        work.t055 = t044;
-        work.t056 = t046;
-        work.t057 = t048;
-        work.t058 = 0.0;
-        work.t059 = 0.0;
-        work.t060 = 0.0;
-        let mut t061: usize = t021;
+        let t024 = if work.t004 < 130 { work.t004 + 1 } else { 0 };
+        let t028 = self.has_y[t024];
+        let t029 = self.y[t024];
+        let t030 = t029 - 0.0;
+        let t031 = t028 * 0.087_370_4;
+        let t032 = t028 * -0.150_179_16;
+        let t033 = t028 * 0.190_942_72;
+        let t034 = t031 * t031;
+        let t035 = 0.0 + t034;
+        let t036 = t031 * t032;
+        let t037 = 0.0 + t036;
+        let t038 = t031 * t033;
+        let t039 = 0.0 + t038;
+        let t040 = t032 * t032;
+        let t041 = 0.0 + t040;
+        let t042 = t032 * t033;
+        let t043 = 0.0 + t042;
+        let t044 = t033 * t033;
+        let t045 = 0.0 + t044;
+        let t046 = t031 * t030;
+        let t047 = 0.0 + t046;
+        let t048 = t032 * t030;
+        let t049 = 0.0 + t048;
+        let t050 = t033 * t030;
+        let t051 = 0.0 + t050;
+        work.t052 = t035;
+        work.t053 = t037;
+        work.t054 = t039;
+        work.t055 = t041;
+        work.t056 = t043;
+        work.t057 = t045;
+        work.t058 = t047;
+        work.t059 = t049;
+        work.t060 = t051;
+        work.t061 = 0.0;
+        work.t062 = 0.0;
+        work.t063 = 0.0;
+        let mut t064: usize = t024;
         for gains in &ROWS {
-            let t062 = if t061 < 130 { t061 + 1 } else { 0 };
-            let t064 = 0.001 * work.t059;
-            let t066 = 5e-7 * work.t060;
-            let t067 = work.t058 + t064;
-            let t068 = t067 + t066;
-            let t069 = 0.001 * work.t060;
-            let t070 = work.t059 + t069;
-            let t071 = gains[0];
-            let t072 = gains[1];
-            let t073 = gains[2];
-            let t074 = self.has_y[t062];
-            let t075 = self.y[t062];
-            let t076 = t075 - t068;
-            let t077 = t074 * t071;
-            let t078 = t074 * t072;
-            let t079 = t074 * t073;
-            let t080 = t077 * t077;
-            let t081 = work.t049 + t080;
-            let t082 = t077 * t078;
-            let t083 = work.t050 + t082;
-            let t084 = t077 * t079;
-            let t085 = work.t051 + t084;
-            let t086 = t078 * t078;
-            let t087 = work.t052 + t086;
-            let t088 = t078 * t079;
-            let t089 = work.t053 + t088;
-            let t090 = t079 * t079;
-            let t091 = work.t054 + t090;
-            let t092 = t077 * t076;
-            let t093 = work.t055 + t092;
-            let t094 = t078 * t076;
-            let t095 = work.t056 + t094;
-            let t096 = t079 * t076;
-            let t097 = work.t057 + t096;
-            let t098 = work.t060 - 0.0;
-            work.t049 = t081;
-            work.t050 = t083;
-            work.t051 = t085;
-            work.t052 = t087;
-            work.t053 = t089;
-            work.t054 = t091;
-            work.t055 = t093;
-            work.t056 = t095;
-            work.t057 = t097;
-            work.t058 = t068;
-            work.t059 = t070;
-            work.t060 = t098;
-            t061 = t062;
+            let t065 = if t064 < 130 { t064 + 1 } else { 0 };
+            let t067 = 0.001 * work.t062;
+            let t069 = 5e-7 * work.t063;
+            let t070 = work.t061 + t067;
+            let t071 = t070 + t069;
+            let t072 = 0.001 * work.t063;
+            let t073 = work.t062 + t072;
+            let t074 = gains[0];
+            let t075 = gains[1];
+            let t076 = gains[2];
+            let t077 = self.has_y[t065];
+            let t078 = self.y[t065];
+            let t079 = t078 - t071;
+            let t080 = t077 * t074;
+            let t081 = t077 * t075;
+            let t082 = t077 * t076;
+            let t083 = t080 * t080;
+            let t084 = work.t052 + t083;
+            let t085 = t080 * t081;
+            let t086 = work.t053 + t085;
+            let t087 = t080 * t082;
+            let t088 = work.t054 + t087;
+            let t089 = t081 * t081;
+            let t090 = work.t055 + t089;
+            let t091 = t081 * t082;
+            let t092 = work.t056 + t091;
+            let t093 = t082 * t082;
+            let t094 = work.t057 + t093;
+            let t095 = t080 * t079;
+            let t096 = work.t058 + t095;
+            let t097 = t081 * t079;
+            let t098 = work.t059 + t097;
+            let t099 = t082 * t079;
+            let t100 = work.t060 + t099;
+            let t101 = work.t063 - 0.0;
+            work.t052 = t084;
+            work.t053 = t086;
+            work.t054 = t088;
+            work.t055 = t090;
+            work.t056 = t092;
+            work.t057 = t094;
+            work.t058 = t096;
+            work.t059 = t098;
+            work.t060 = t100;
+            work.t061 = t071;
+            work.t062 = t073;
+            work.t063 = t101;
+            t064 = t065;
         }
     }
 
     /// Part 3 of a step.
-    fn part_3(work: &mut Work) {
+    fn part_3(&mut self, work: &mut Work) {
         // the window's start from the samples that are there
-        let t100 = 0.015_625 < work.t049;
-        let t101 = if t100 { work.t049 } else { 1.0 };
-        let t102 = work.t050 / t101;
-        let t103 = t102 * work.t050;
-        let t104 = work.t052 - t103;
-        let t105 = t102 * work.t051;
-        let t106 = work.t053 - t105;
-        let t107 = t102 * work.t055;
-        let t108 = work.t056 - t107;
-        let t109 = work.t051 / t101;
-        let t110 = t109 * work.t051;
-        let t111 = work.t054 - t110;
-        let t112 = t109 * work.t055;
-        let t113 = work.t057 - t112;
-        let t114 = 0.015_625 < t104;
-        let t115 = t100 && t114;
-        let t116 = if t114 { t104 } else { 1.0 };
-        let t117 = t106 / t116;
-        let t118 = t117 * t106;
-        let t119 = t111 - t118;
-        let t120 = t117 * t108;
-        let t121 = t113 - t120;
-        let t122 = 0.015_625 < t119;
-        work.flags[1] = t115 && t122;
-        let t124 = if t122 { t119 } else { 1.0 };
-        let t125 = t121 / t124;
-        let t126 = t106 * t125;
-        let t127 = t108 - t126;
-        let t128 = t127 / t116;
-        let t129 = work.t050 * t128;
-        let t130 = work.t055 - t129;
-        let t131 = work.t051 * t125;
-        let t132 = t130 - t131;
-        let t133 = t132 / t101;
-        let t134 = 0.087_370_4 * t133;
-        let t136 = 0.150_179_16 * t128;
-        let t137 = 0.190_942_72 * t125;
-        let t138 = t134 + t136;
-        let t139 = t138 + t137;
-        work.t140 = t139 + work.t058;
-        let t142 = 2.310_448_6 * t128;
-        let t144 = 8.881_057 * t125;
-        let t145 = t142 + t144;
-        work.t146 = t145 + work.t059;
-        let t148 = 136.63164 * t125;
-        work.t149 = t148 + work.t060;
-    }
+        let t103 = 0.015_625 < work.t052;
+        let t104 = if t103 { work.t052 } else { 1.0 };
+        let t105 = work.t053 / t104;
+        let t106 = t105 * work.t053;
+        let t107 = work.t055 - t106;
+        let t108 = t105 * work.t054;
+        let t109 = work.t056 - t108;
+        let t110 = t105 * work.t058;
+        let t111 = work.t059 - t110;
+        let t112 = work.t054 / t104;
+        let t113 = t112 * work.t054;
+        let t114 = work.t057 - t113;
+        let t115 = t112 * work.t058;
+        let t116 = work.t060 - t115;
+        let t117 = 0.015_625 < t107;
+        let t118 = t103 && t117;
+        let t119 = if t117 { t107 } else { 1.0 };
+        let t120 = t109 / t119;
+        let t121 = t120 * t109;
+        let t122 = t114 - t121;
+        let t123 = t120 * t111;
+        let t124 = t116 - t123;
+        let t125 = 0.015_625 < t122;
+        work.flags[1] = t118 && t125;
+        let t127 = if t125 { t122 } else { 1.0 };
+        let t128 = t124 / t127;
+        let t129 = t109 * t128;
+        let t130 = t111 - t129;
+        let t131 = t130 / t119;
+        let t132 = work.t053 * t131;
+        let t133 = work.t058 - t132;
+        let t134 = work.t054 * t128;
+        let t135 = t133 - t134;
+        let t136 = t135 / t104;
+        let t137 = 0.087_370_4 * t136;
+        let t139 = 0.150_179_16 * t131;
+        let t140 = 0.190_942_72 * t128;
+        let t141 = t137 + t139;
+        let t142 = t141 + t140;
+        let t143 = t142 + work.t061;
+        let t145 = 2.310_448_6 * t131;
+        let t147 = 8.881_057 * t128;
+        let t148 = t145 + t147;
+        let t149 = t148 + work.t062;
+        let t151 = 136.63164 * t128;
+        let t152 = t151 + work.t063;
 
-    /// Part 4 of a step.
-    fn part_4(&mut self, work: &mut Work) {
         // without enough samples, the model's prediction
-        let t150 = self.known;
-        let t151 = t150 == 1;
-        let t152 = self.next_q;
-        let t153 = (-1e26..=1e26).contains(&t152);
-        let t154 = t151 && t153;
-        let t155 = if work.flags[1] { work.t140 } else { t152 };
-        let t156 = self.next_dq;
-        let t157 = (-1e26..=1e26).contains(&t156);
-        let t158 = t154 && t157;
-        let t159 = if work.flags[1] { work.t146 } else { t156 };
-        let t160 = self.next_ddq;
-        let t161 = (-1e26..=1e26).contains(&t160);
-        let t162 = t158 && t161;
-        let t163 = if work.flags[1] { work.t149 } else { t160 };
+        let t153 = self.known;
+        let t154 = t153 == 1;
+        let t155 = (-1e26..=1e26).contains(&work.t005);
+        let t156 = t154 && t155;
+        work.t157 = if work.flags[1] { t143 } else { work.t005 };
+        let t158 = (-1e26..=1e26).contains(&work.t006);
+        let t159 = t156 && t158;
+        work.t160 = if work.flags[1] { t149 } else { work.t006 };
+        let t161 = (-1e26..=1e26).contains(&work.t007);
+        let t162 = t159 && t161;
+        work.t163 = if work.flags[1] { t152 } else { work.t007 };
         let t164 = work.flags[1] || t162;
-        let t165 = work.flags[0] && t164;
-        let t166 = usize::from(t165);
+        work.flags[2] = work.flags[0] && t164;
+        let t166 = usize::from(work.flags[2]);
         self.known = t166;
-        let t168 = 0.001 * t159;
-        let t170 = 5e-7 * t163;
-        let t171 = t155 + t168;
+        let t168 = 0.001 * work.t160;
+        let t170 = 5e-7 * work.t163;
+        let t171 = work.t157 + t168;
         let t172 = t171 + t170;
         let t173 = (-1e26..=1e26).contains(&t172);
         let t174 = if t173 { t172 } else { 0.0 };
         self.next_q = t174;
-        let t175 = 0.001 * t163;
-        let t176 = t159 + t175;
+        let t175 = 0.001 * work.t163;
+        let t176 = work.t160 + t175;
         let t177 = (-1e26..=1e26).contains(&t176);
         let t178 = if t177 { t176 } else { 0.0 };
         self.next_dq = t178;
-        let t179 = (-1e26..=1e26).contains(&t163);
-        let t180 = if t179 { t163 } else { 0.0 };
+        let t179 = (-1e26..=1e26).contains(&work.t163);
+        let t180 = if t179 { work.t163 } else { 0.0 };
         self.next_ddq = t180;
+    }
 
+    /// Part 4 of a step.
+    fn part_4(&self, work: &mut Work) {
         // the estimate; until there is one, the start
-        work.t181 = if t165 { t155 } else { work.t008 };
-        work.t182 = if t165 { t159 } else { 0.0 };
-        work.t183 = if t165 { t163 } else { 0.0 };
+        work.t181 = if work.flags[2] { work.t157 } else { work.t010 };
+        work.t182 = if work.flags[2] { work.t160 } else { 0.0 };
+        work.t183 = if work.flags[2] { work.t163 } else { 0.0 };
         let t184 = self.coasting;
         let t185 = t184 == 0;
         let t186 = work.flags[1] && t185;
         let t190 = if t186 { Status::Converged } else { Status::Coasting };
-        work.t191 = if t165 { t190 } else { Status::Converging };
+        work.t191 = if work.flags[2] { t190 } else { Status::Converging };
     }
 }
 const _: f32 = SAMPLE_TIME;

@@ -286,16 +286,16 @@ struct Work {
     t009: f32,
     t010: usize,
     t020: f32,
-    t032: usize,
-    t034: f32,
-    t043: f32,
+    t031: usize,
+    t033: f32,
     t044: f32,
-    t045: usize,
-    t048: f32,
-    t051: f32,
-    t054: f32,
-    t057: f32,
+    t047: f32,
+    t050: f32,
+    t053: f32,
     t061: f32,
+    t066: usize,
+    t084: f32,
+    t085: f32,
     t086: usize,
     t098: usize,
     t149: f32,
@@ -376,7 +376,7 @@ struct Work {
     t464: f32,
     t465: f32,
     t473: Status,
-    /// t5, t7, t39, t82, t97, t358
+    /// t5, t7, t37, t82, t97, t358
     flags: [bool; 6],
 }
 
@@ -386,16 +386,16 @@ impl Work {
         t009: 0.0,
         t010: 0,
         t020: 0.0,
-        t032: 0,
-        t034: 0.0,
-        t043: 0.0,
+        t031: 0,
+        t033: 0.0,
         t044: 0.0,
-        t045: 0,
-        t048: 0.0,
-        t051: 0.0,
-        t054: 0.0,
-        t057: 0.0,
+        t047: 0.0,
+        t050: 0.0,
+        t053: 0.0,
         t061: 0.0,
+        t066: 0,
+        t084: 0.0,
+        t085: 0.0,
         t086: 0,
         t098: 0,
         t149: 0.0,
@@ -521,7 +521,7 @@ impl Observer {
             speed: work.t463,
             slope: work.t464,
             wheel: work.t465,
-            coasted: ::deadbeat::math::u32_from_index(work.t086),
+            coasted: ::deadbeat::math::u32_from_index(work.t066),
             status: work.t473,
         }
     }
@@ -539,9 +539,9 @@ impl Observer {
         work.flags[1] = (-1e25..=1e25).contains(&t006);
         let t008 = self.force[t001];
         work.t009 = if work.flags[1] { t006 } else { t008 };
-        work.t010 = if t001 < 40 { t001 + 1 } else { 0 };
 
         // prediction of what the samples show
+        work.t010 = if t001 < 40 { t001 + 1 } else { 0 };
         let t011 = self.tanh_20_wheel[t001];
         let t012 = self.next_position;
         let t014 = 1.994_677_4e-5 * work.t009;
@@ -553,70 +553,70 @@ impl Observer {
         let t025 = -0.000_185_480_31 * t011;
         let t026 = t023 + t025;
         let t027 = t021 + t026;
-        let t030 = self.slot_camera;
-        let t031 = t030.min(40);
-        work.t032 = if t031 < 40 { t031 + 1 } else { 0 };
-        self.slot_camera = work.t032;
-        let t033 = self.camera[t031];
-        work.t034 = if t003 { t002 } else { t033 };
-        let t035 = self.wheel[t001];
-        let t036 = (-20.0..=20.0).contains(&t027);
-        let t037 = self.known;
-        work.flags[2] = t037 == 1;
-        let t040 = work.flags[2] && t036;
-        let t041 = if t040 { t027 } else { t035 };
-        let t042 = if work.flags[0] { t004 } else { t041 };
-        work.t043 = if t003 { 1.0 } else { 0.0 };
-        work.t044 = if work.flags[0] { 1.0 } else { 0.0 };
-        work.t045 = self.count;
-        let t047 = 20.0 * t042;
-        work.t048 = ::deadbeat::math::tanh_f32(t047);
-        let t049 = -6.653_355e-6 * work.t048;
-        let t050 = t014 + t049;
-        work.t051 = t012 + t050;
-        let t052 = -0.001_994_677_4 * work.t048;
-        let t053 = t018 + t052;
-        work.t054 = t016 + t053;
-        let t055 = -0.000_185_480_31 * work.t048;
-        let t056 = t023 + t055;
-        work.t057 = t021 + t056;
-        let t058 = (-20.0..=20.0).contains(&work.t057);
+        let t029 = self.slot_camera;
+        let t030 = t029.min(40);
+        work.t031 = if t030 < 40 { t030 + 1 } else { 0 };
+        self.slot_camera = work.t031;
+        let t032 = self.camera[t030];
+        work.t033 = if t003 { t002 } else { t032 };
+        let t034 = self.wheel[t001];
+        let t035 = self.known;
+        work.flags[2] = t035 == 1;
+        let t038 = (-20.0..=20.0).contains(&t027);
+        let t039 = work.flags[2] && t038;
+        let t040 = if t039 { t027 } else { t034 };
+        let t041 = if work.flags[0] { t004 } else { t040 };
+        let t043 = 20.0 * t041;
+        work.t044 = ::deadbeat::math::tanh_f32(t043);
+        let t045 = -6.653_355e-6 * work.t044;
+        let t046 = t014 + t045;
+        work.t047 = t012 + t046;
+        let t048 = -0.001_994_677_4 * work.t044;
+        let t049 = t018 + t048;
+        work.t050 = t016 + t049;
+        let t051 = -0.000_185_480_31 * work.t044;
+        let t052 = t023 + t051;
+        work.t053 = t021 + t052;
+        let t054 = (-20.0..=20.0).contains(&work.t053);
+        let t055 = work.flags[2] && t054;
+        let t056 = if t055 { work.t053 } else { t034 };
+        let t057 = !work.flags[0];
+        let t058 = !t054;
         let t059 = work.flags[2] && t058;
-        let t060 = if t059 { work.t057 } else { t042 };
-        work.t061 = if work.flags[0] { t004 } else { t060 };
-        let t062 = !work.flags[0];
-        let t063 = !t058;
-        let t064 = work.flags[2] && t063;
-        let t065 = t062 && t064;
-        let t066 = self.missed_camera;
-        let t068 = 40 < t066;
-        let t069 = !t003;
-        let t070 = t069 && t068;
-        let t072 = if t066 < 41 { t066 + 1 } else { 41 };
+        let t060 = t057 && t059;
+        work.t061 = if work.flags[0] { t004 } else { t056 };
+        let t062 = t003 || work.flags[0];
+        let t064 = self.since;
+        let t065 = if t064 < 4_294_967_295 { t064 + 1 } else { 4_294_967_295 };
+        work.t066 = if t062 { 0 } else { t065 };
+        self.since = work.t066;
+        let t067 = self.missed_camera;
+        let t069 = 40 < t067;
+        let t070 = !t003;
+        let t071 = t070 && t069;
+        let t072 = if t067 < 41 { t067 + 1 } else { 41 };
         let t073 = if t003 { 0 } else { t072 };
         self.missed_camera = t073;
         let t074 = self.missed_wheel;
         let t075 = 40 < t074;
-        let t076 = t062 && t075;
+        let t076 = t057 && t075;
         let t077 = if t074 < 41 { t074 + 1 } else { 41 };
         let t078 = if work.flags[0] { 0 } else { t077 };
         self.missed_wheel = t078;
-        let t079 = t070 && t076;
+        let t079 = t071 && t076;
         let t080 = !t079;
         let t081 = t076 && t080;
-        work.flags[3] = t065 || t081;
-        let t083 = t003 || work.flags[0];
-        let t084 = self.since;
-        let t085 = if t084 < 4_294_967_295 { t084 + 1 } else { 4_294_967_295 };
-        work.t086 = if t083 { 0 } else { t085 };
-        self.since = work.t086;
+        work.flags[3] = t060 || t081;
+        work.t084 = if t003 { 1.0 } else { 0.0 };
+        work.t085 = if work.flags[0] { 1.0 } else { 0.0 };
+        work.t086 = self.count;
     }
 
     /// Part 2 of a step.
     fn part_2(&mut self, work: &mut Work) {
         // how much of the window is good
-        let t087 = 40 < work.t045;
-        let t088 = if work.t045 < 44 { work.t045 + 1 } else { 44 };
+        let t087 = 40 < work.t086;
+        let t088 = if work.t086 < 44 { work.t086 + 1 } else { 44 };
         let t089 = if work.flags[3] { 0 } else { t088 };
         let t090 = if work.flags[1] { t088 } else { 1 };
         let t091 = if t087 { t089 } else { t090 };
@@ -629,13 +629,13 @@ impl Observer {
 
         // into the window
         self.newest = work.t010;
-        self.camera[work.t032.min(40)] = work.t034;
+        self.camera[work.t031.min(40)] = work.t033;
         self.wheel[work.t010.min(40)] = work.t061;
         self.has_camera[work.t010.min(40)] = 0.0;
-        self.has_camera[work.t032.min(40)] = work.t043;
-        self.has_wheel[work.t010.min(40)] = work.t044;
+        self.has_camera[work.t031.min(40)] = work.t084;
+        self.has_wheel[work.t010.min(40)] = work.t085;
         self.force[work.t010.min(40)] = work.t009;
-        self.tanh_20_wheel[work.t010.min(40)] = work.t048;
+        self.tanh_20_wheel[work.t010.min(40)] = work.t044;
         work.flags[4] = 40 < t091;
     }
 
@@ -972,18 +972,18 @@ impl Observer {
     /// Part 8 of a step.
     fn part_8(&mut self, work: &mut Work) {
         // without enough samples, the model's prediction
-        let t412 = (-1e25..=1e25).contains(&work.t051);
+        let t412 = (-1e25..=1e25).contains(&work.t047);
         let t413 = work.flags[2] && t412;
-        let t414 = if work.flags[5] { work.t387 } else { work.t051 };
-        let t415 = (-1e25..=1e25).contains(&work.t054);
+        let t414 = if work.flags[5] { work.t387 } else { work.t047 };
+        let t415 = (-1e25..=1e25).contains(&work.t050);
         let t416 = t413 && t415;
-        let t417 = if work.flags[5] { work.t396 } else { work.t054 };
+        let t417 = if work.flags[5] { work.t396 } else { work.t050 };
         let t418 = (-1e25..=1e25).contains(&work.t020);
         let t419 = t416 && t418;
         let t420 = if work.flags[5] { work.t402 } else { work.t020 };
-        let t421 = (-1e25..=1e25).contains(&work.t057);
+        let t421 = (-1e25..=1e25).contains(&work.t053);
         let t422 = t419 && t421;
-        let t423 = if work.flags[5] { work.t411 } else { work.t057 };
+        let t423 = if work.flags[5] { work.t411 } else { work.t053 };
         let t424 = work.flags[5] || t422;
         let t425 = work.flags[4] && t424;
         let t426 = usize::from(t425);
@@ -992,7 +992,7 @@ impl Observer {
         let t430 = 4.986_693_2e-5 * t420;
         let t431 = t414 + t428;
         let t432 = t431 + t430;
-        let t434 = -1.329_341_8e-5 * work.t048;
+        let t434 = -1.329_341_8e-5 * work.t044;
         let t435 = t432 + t434;
         let t436 = (-1e25..=1e25).contains(&t435);
         let t437 = if t436 { t435 } else { 0.0 };
@@ -1000,7 +1000,7 @@ impl Observer {
         let t439 = 0.992_031_93 * t417;
         let t440 = 0.009_960_107 * t420;
         let t441 = t439 + t440;
-        let t443 = -0.001_989_365_3 * work.t048;
+        let t443 = -0.001_989_365_3 * work.t044;
         let t444 = t441 + t443;
         let t445 = (-1e25..=1e25).contains(&t444);
         let t446 = if t445 { t444 } else { 0.0 };
@@ -1013,7 +1013,7 @@ impl Observer {
         let t454 = 0.740_818_2 * t423;
         let t455 = t450 + t452;
         let t456 = t455 + t454;
-        let t458 = -0.000_357_278_8 * work.t048;
+        let t458 = -0.000_357_278_8 * work.t044;
         let t459 = t456 + t458;
         let t460 = (-1e25..=1e25).contains(&t459);
         let t461 = if t460 { t459 } else { 0.0 };

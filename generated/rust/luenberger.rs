@@ -93,10 +93,10 @@ pub struct Observer {
     clean: usize,
     /// the last y, measured or predicted
     last_y: f32,
+    /// u of the last call
+    last_u: f32,
     /// sin(q) of the last call
     last_known1: f32,
-    /// the last good value
-    last_u: f32,
 }
 
 /// What one part of a step hands to the next.
@@ -139,8 +139,8 @@ impl Observer {
             good: 0,
             clean: 0,
             last_y: 0.0,
-            last_known1: 0.0,
             last_u: 0.0,
+            last_known1: 0.0,
         }
     }
 
@@ -167,7 +167,6 @@ impl Observer {
         let t003 = (-1e35..=1e35).contains(&t002);
         let t004 = self.last_u;
         let t005 = if t003 { t002 } else { t004 };
-        self.last_u = t005;
 
         // prediction by the plant
         let t006 = self.q;
@@ -198,9 +197,9 @@ impl Observer {
         let t043 = t042 + t040;
         let t045 = -5.831_721_4e-6 * t009;
         let t046 = t021 + t045;
-        let t049 = (-1e35..=1e35).contains(&t046);
-        let t050 = self.last_y;
-        let t051 = if t049 { t046 } else { t050 };
+        let t049 = self.last_y;
+        let t050 = (-1e35..=1e35).contains(&t046);
+        let t051 = if t050 { t046 } else { t049 };
         work.t052 = if work.flags[0] { t000 } else { t051 };
         let t053 = ::deadbeat::math::sin_f32(work.t052);
         let t054 = -5.831_721_4e-6 * t053;
@@ -209,6 +208,7 @@ impl Observer {
         let t057 = t032 + t056;
         let t058 = 0.000_202_071_13 * t053;
         let t059 = t043 + t058;
+        self.last_u = t005;
         self.last_known1 = t053;
         self.last_y = work.t052;
         work.flags[1] = t003 && work.flags[0];

@@ -142,7 +142,7 @@ static WINDOW: [[f32; 6]; 40] = [
 
 /// What one part of a step hands to the next.
 struct Work {
-    t011: usize,
+    t020: usize,
     t044: f32,
     t053: usize,
     t107: f32,
@@ -153,7 +153,7 @@ struct Work {
 impl Work {
     /// Before the first part.
     const EMPTY: Self = Self {
-        t011: 0,
+        t020: 0,
         t044: 0.0,
         t053: 0,
         t107: 0.0,
@@ -207,38 +207,38 @@ impl Observer {
         self.last_current = t010;
 
         // prediction, for a sample that is missing
-        work.t011 = if t001 < 40 { t001 + 1 } else { 0 };
-        let t012 = t010 * t010;
-        let t014 = self.gap[t001];
-        let t015 = t014 * t014;
-        let t016 = 0.136 * t015;
-        let t017 = t012 / t016;
-        let t018 = (-1e34..=1e34).contains(&t017);
-        let t019 = self.injection[t001];
-        let t020 = if t018 { t017 } else { t019 };
+        let t011 = t010 * t010;
+        let t013 = self.gap[t001];
+        let t014 = t013 * t013;
+        let t015 = 0.136 * t014;
+        let t016 = t011 / t015;
+        let t017 = (-1e34..=1e34).contains(&t016);
+        let t018 = self.injection[t001];
+        let t019 = if t017 { t016 } else { t018 };
+        work.t020 = if t001 < 40 { t001 + 1 } else { 0 };
         let t021 = self.ahead_gap;
-        let t023 = -3.265e-13 * t020;
+        let t023 = -3.265e-13 * t019;
         let t024 = t021 + t023;
         let t025 = (0.001..=0.03).contains(&t024);
         let t026 = t004 && t025;
-        let t027 = if t026 { t024 } else { t014 };
+        let t027 = if t026 { t024 } else { t013 };
         let t028 = if t006 { t005 } else { t027 };
         let t029 = t028 * t028;
         let t030 = 0.136 * t029;
-        let t031 = t012 / t030;
+        let t031 = t011 / t030;
         let t032 = (-1e34..=1e34).contains(&t031);
         let t033 = self.injection_2[t001];
         let t034 = if t032 { t031 } else { t033 };
-        let t035 = t034 - t020;
+        let t035 = t034 - t019;
         let t037 = -1.088_333_3e-13 * t035;
         let t038 = t024 + t037;
         let t039 = (0.001..=0.03).contains(&t038);
         let t040 = t004 && t039;
-        let t041 = if t040 { t038 } else { t014 };
+        let t041 = if t040 { t038 } else { t013 };
         let t042 = t006 || t040;
         let t043 = !t042;
         work.t044 = if t006 { t005 } else { t041 };
-        let t045 = t008 && t018;
+        let t045 = t008 && t017;
         let t046 = t045 && t032;
 
         // how much of the window is good
@@ -255,10 +255,10 @@ impl Observer {
         self.coasting = t058;
 
         // into the window
-        self.newest = work.t011;
-        self.gap[work.t011.min(40)] = work.t044;
-        self.injection[work.t011.min(40)] = t020;
-        self.injection_2[work.t011.min(40)] = t034;
+        self.newest = work.t020;
+        self.gap[work.t020.min(40)] = work.t044;
+        self.injection[work.t020.min(40)] = t019;
+        self.injection_2[work.t020.min(40)] = t034;
     }
 
     /// Part 2 of a step.
@@ -270,7 +270,7 @@ impl Observer {
         let mut t063: f32 = 0.0;
         let mut t064: f32 = 0.0;
         let mut t065: f32 = 0.0;
-        let mut t066: usize = work.t011;
+        let mut t066: usize = work.t020;
         for gains in &WINDOW {
             let t067 = self.gap[t066.min(40)];
             let t068 = gains[0];

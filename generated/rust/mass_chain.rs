@@ -1934,23 +1934,23 @@ impl Observer {
         let t071 = t070 && t065;
         let t072 = !t071;
         let t073 = t069 && t072;
-        let t074 = work.flags[1] && work.flags[2];
-        let t075 = t074 && work.flags[3];
-        let t076 = t044 || t046;
-        let t077 = t076 || t048;
-        let t078 = t077 || t073;
+        let t074 = t044 || t046;
+        let t075 = t074 || t048;
+        let t076 = t075 || t073;
+        let t077 = work.flags[1] && work.flags[2];
+        let t078 = t077 && work.flags[3];
 
         // how much of the window is good
         let t080 = if work.t002 < 61 { work.t002 + 1 } else { 61 };
-        let t081 = if t078 { 0 } else { t080 };
+        let t081 = if t076 { 0 } else { t080 };
         let t082 = if work.flags[4] { t080 } else { 1 };
-        let t083 = if t075 { t082 } else { 0 };
+        let t083 = if t078 { t082 } else { 0 };
         work.t084 = if work.flags[0] { t081 } else { t083 };
         self.count = work.t084;
         let t085 = self.coasting;
         let t086 = t085.saturating_sub(1);
         let t087 = if work.flags[4] { t086 } else { 60 };
-        let t089 = if t075 { t087 } else { 61 };
+        let t089 = if t078 { t087 } else { 61 };
         self.coasting = t089;
 
         // into the window

@@ -86,7 +86,7 @@ pub struct Observer {
     good: usize,
     /// good calls in a row, at most 231
     clean: usize,
-    /// the last good value
+    /// force of the last call
     last_force: f32,
 }
 
@@ -146,7 +146,6 @@ impl Observer {
         let t003 = (-1e35..=1e35).contains(&t002);
         let t004 = self.last_force;
         let t005 = if t003 { t002 } else { t004 };
-        self.last_force = t005;
 
         // prediction by the plant
         let t006 = self.position;
@@ -161,6 +160,7 @@ impl Observer {
         let t020 = 0.009_975_869 * t005;
         let t021 = t017 + t019;
         let t022 = t021 + t020;
+        self.last_force = t005;
         let t023 = t003 && t001;
 
         // correction by the innovation

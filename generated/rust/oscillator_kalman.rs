@@ -83,7 +83,7 @@ pub struct Observer {
     good: usize,
     /// good calls in a row, at most 231
     clean: usize,
-    /// the last good value
+    /// force of the last call
     last_force: f32,
 }
 
@@ -218,7 +218,6 @@ impl Observer {
         let t3 = (-1e35..=1e35).contains(&t2);
         let t4 = self.last_force;
         let t5 = if t3 { t2 } else { t4 };
-        self.last_force = t5;
 
         // prediction by the plant
         let t6 = self.position;
@@ -233,6 +232,7 @@ impl Observer {
         let t20 = 0.009_975_869 * t5;
         let t21 = t17 + t19;
         let t22 = t21 + t20;
+        self.last_force = t5;
         let t23 = t3 && t1;
 
         // correction by the innovation

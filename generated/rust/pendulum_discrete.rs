@@ -93,13 +93,13 @@ struct Work {
     t004: usize,
     t034: f64,
     t049: f64,
-    t069: usize,
-    t072: f64,
+    t068: usize,
+    t071: f64,
+    t079: f64,
     t080: f64,
-    t081: f64,
     t112: f64,
     t117: Status,
-    /// t3, t6, t48, t50, t70, t83
+    /// t3, t6, t48, t69, t82, t83
     flags: [bool; 6],
 }
 
@@ -110,10 +110,10 @@ impl Work {
         t004: 0,
         t034: 0.0,
         t049: 0.0,
-        t069: 0,
-        t072: 0.0,
+        t068: 0,
+        t071: 0.0,
+        t079: 0.0,
         t080: 0.0,
-        t081: 0.0,
         t112: 0.0,
         t117: Status::Converging,
         flags: [false; 6],
@@ -160,20 +160,20 @@ impl Observer {
         let t007 = measurements.x1;
         let t008 = (-1e305..=1e305).contains(&t007);
         let t009 = work.flags[0] && t008;
-        let t010 = self.x1_1;
 
         // prediction, for a sample that is missing or not measured now
-        let t011 = self.sin_x1_1;
-        let t012 = self.z1_x2;
-        let t014 = 0.025 * t012;
-        let t016 = -0.000_104_166_666_666_666_67 * t011;
-        let t018 = -0.000_208_333_333_333_333_35 * t011;
-        let t019 = t014 + t010;
+        let t010 = self.sin_x1_1;
+        let t011 = self.z1_x2;
+        let t012 = self.x1_1;
+        let t014 = 0.025 * t011;
+        let t016 = -0.000_104_166_666_666_666_67 * t010;
+        let t018 = -0.000_208_333_333_333_333_35 * t010;
+        let t019 = t014 + t012;
         let t020 = t019 + t016;
         let t021 = t020 + t018;
         let t022 = (-1e305..=1e305).contains(&t021);
         let t023 = work.flags[1] && t022;
-        let t024 = if t023 { t021 } else { t010 };
+        let t024 = if t023 { t021 } else { t012 };
         let t027 = -1e305 < t021;
         let t028 = if t027 { t021 } else { -1e305 };
         let t029 = 1e305 < t028;
@@ -182,12 +182,12 @@ impl Observer {
         let t032 = if work.flags[0] { t024 } else { t030 };
         let t033 = if t009 { t007 } else { t032 };
         work.t034 = ::deadbeat::math::sin_f64(t033);
-        let t035 = work.t034 - t011;
+        let t035 = work.t034 - t010;
         let t036 = -0.000_104_166_666_666_666_67 * t035;
         let t037 = t021 + t036;
         let t038 = (-1e305..=1e305).contains(&t037);
         let t039 = work.flags[1] && t038;
-        let t040 = if t039 { t037 } else { t010 };
+        let t040 = if t039 { t037 } else { t012 };
         let t041 = -1e305 < t037;
         let t042 = if t041 { t037 } else { -1e305 };
         let t043 = 1e305 < t042;
@@ -197,75 +197,75 @@ impl Observer {
         let t047 = t009 || t046;
         work.flags[2] = !t047;
         work.t049 = if t009 { t007 } else { t045 };
-        work.flags[3] = t009 || t031;
 
         // both copies, one call on
-        let t052 = -0.0125 * work.t034;
-        let t053 = -0.0125 * t011;
-        let t054 = t012 + t052;
-        let t055 = t054 + t053;
-        let t056 = self.z2_x2;
-        let t058 = 0.975 * t056;
-        let t060 = -0.025 * t010;
-        let t062 = -0.012_395_833_333_333_333 * work.t034;
-        let t064 = -0.012_291_666_666_666_666 * t011;
-        let t065 = t058 + t060;
-        let t066 = t065 + t062;
-        let t067 = t066 + t064;
+        let t051 = -0.0125 * work.t034;
+        let t052 = -0.0125 * t010;
+        let t053 = t011 + t051;
+        let t054 = t053 + t052;
+        let t055 = self.z2_x2;
+        let t057 = 0.975 * t055;
+        let t059 = -0.025 * t012;
+        let t061 = -0.012_395_833_333_333_333 * work.t034;
+        let t063 = -0.012_291_666_666_666_666 * t010;
+        let t064 = t057 + t059;
+        let t065 = t064 + t061;
+        let t066 = t065 + t063;
 
         // the reset, when a period is full
-        let t068 = self.phase;
-        work.t069 = if t068 < 39 { t068 + 1 } else { 0 };
-        work.flags[4] = work.t069 == 0;
-        let t071: f64 = -1.0;
-        work.t072 = t071 * work.t049;
-        let t073 = t067 - work.t072;
-        let t074 = t055 - t073;
-        let t076 = -1.570_431_759_783_623_7 * t074;
-        let t077 = t055 + t076;
-        let t078 = (-7.115_863_519_567_243e305..=7.115_863_519_567_243e305)
-            .contains(&t077);
-        let t079 = t077 + work.t072;
-        work.t080 = if work.flags[4] { t077 } else { t055 };
-        work.t081 = if work.flags[4] { t079 } else { t067 };
-        let t082 = !t078;
-        work.flags[5] = work.flags[4] && t082;
+        let t067 = self.phase;
+        work.t068 = if t067 < 39 { t067 + 1 } else { 0 };
+        work.flags[3] = work.t068 == 0;
+        let t070: f64 = -1.0;
+        work.t071 = t070 * work.t049;
+        let t072 = t066 - work.t071;
+        let t073 = t054 - t072;
+        let t075 = -1.570_431_759_783_623_7 * t073;
+        let t076 = t054 + t075;
+        let t077 = (-7.115_863_519_567_243e305..=7.115_863_519_567_243e305)
+            .contains(&t076);
+        let t078 = t076 + work.t071;
+        work.t079 = if work.flags[3] { t076 } else { t054 };
+        work.t080 = if work.flags[3] { t078 } else { t066 };
+        let t081 = !t077;
+        work.flags[4] = work.flags[3] && t081;
+        work.flags[5] = t009 || t031;
     }
 
     /// Part 2 of a step.
     fn part_2(&mut self, work: &mut Work) {
         // how much of the period is good
-        let t084 = work.flags[2] || work.flags[5];
+        let t084 = work.flags[2] || work.flags[4];
         let t086 = if work.t004 < 161 { work.t004 + 1 } else { 161 };
         let t087 = usize::from(work.flags[0]);
         let t088 = work.t004 == 0;
         let t089 = if t088 { t087 } else { t086 };
-        let t090 = work.flags[1] || work.flags[3];
+        let t090 = work.flags[1] || work.flags[5];
         let t091 = if work.flags[1] { t086 } else { t089 };
         let t092 = if t090 { t091 } else { 0 };
         let t093 = if t084 { 0 } else { t092 };
         self.count = t093;
         let t094 = self.clean;
         let t095 = if t094 < 161 { t094 + 1 } else { 161 };
-        let t096 = if work.flags[3] { t095 } else { 0 };
+        let t096 = if work.flags[5] { t095 } else { 0 };
         self.clean = t096;
         let t097 = 160 < t096;
-        let t098 = work.flags[4] && t097;
+        let t098 = work.flags[3] && t097;
         let t099 = self.coasting;
         let t100 = if t098 { 0 } else { t099 };
-        let t101 = if work.flags[3] { t100 } else { 1 };
+        let t101 = if work.flags[5] { t100 } else { 1 };
         self.coasting = t101;
         let t102 = t101 == 0;
         let t104 = t093 < 2;
         let t105 = 160 < t093;
 
         // for the next call
-        let t107 = if t104 { 0.0 } else { work.t080 };
-        let t108 = 0.0 + work.t072;
-        let t109 = if t104 { t108 } else { work.t081 };
+        let t107 = if t104 { 0.0 } else { work.t079 };
+        let t108 = 0.0 + work.t071;
+        let t109 = if t104 { t108 } else { work.t080 };
         self.z1_x2 = t107;
         self.z2_x2 = t109;
-        let t110 = if t104 { 0 } else { work.t069 };
+        let t110 = if t104 { 0 } else { work.t068 };
         self.phase = t110;
         self.x1_1 = work.t049;
         self.sin_x1_1 = work.t034;

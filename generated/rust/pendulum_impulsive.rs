@@ -147,43 +147,43 @@ impl Observer {
         let t2 = 50 < t0;
         let t3 = measurements.theta;
         let t4 = (-1e34..=1e34).contains(&t3);
-        let t5 = self.theta_1;
 
         // prediction, for a sample that is missing or not measured now
-        let t6 = self.sin_theta_1;
-        let t7 = self.z1_omega;
-        let t9 = 0.000_999_966_4 * t7;
-        let t11 = 1.070_297e-5 * t6;
-        let t13 = 2.140_576e-5 * t6;
-        let t14 = t9 + t5;
+        let t5 = self.sin_theta_1;
+        let t6 = self.z1_omega;
+        let t7 = self.theta_1;
+        let t9 = 0.000_999_966_4 * t6;
+        let t11 = 1.070_297e-5 * t5;
+        let t13 = 2.140_576e-5 * t5;
+        let t14 = t9 + t7;
         let t15 = t14 + t11;
         let t16 = t15 + t13;
         let t17 = (-1e34..=1e34).contains(&t16);
         let t18 = t2 && t17;
-        let t19 = if t18 { t16 } else { t5 };
+        let t19 = if t18 { t16 } else { t7 };
         let t20 = if t4 { t3 } else { t19 };
         work.t21 = ::deadbeat::math::sin_f32(t20);
-        let t22 = work.t21 - t6;
+        let t22 = work.t21 - t5;
         let t23 = 1.070_297e-5 * t22;
         let t24 = t16 + t23;
         let t25 = (-1e34..=1e34).contains(&t24);
         let t26 = t2 && t25;
-        let t27 = if t26 { t24 } else { t5 };
+        let t27 = if t26 { t24 } else { t7 };
         let t28 = t4 || t26;
         let t29 = !t28;
         work.t30 = if t4 { t3 } else { t27 };
 
         // both copies, one call on
-        let t32 = 0.999_932_77 * t7;
+        let t32 = 0.999_932_77 * t6;
         let t34 = 0.032_108_73 * work.t21;
-        let t36 = 0.032_108_013 * t6;
+        let t36 = 0.032_108_013 * t5;
         let t37 = t32 + t34;
         let t38 = t37 + t36;
         let t39 = self.z2_omega;
         let t41 = 1.001_802_7 * t39;
-        let t43 = -0.003_371_072_2 * t5;
+        let t43 = -0.003_371_072_2 * t7;
         let t45 = 0.032_128_744 * work.t21;
-        let t47 = 0.032_148_04 * t6;
+        let t47 = 0.032_148_04 * t5;
         let t48 = t41 + t43;
         let t49 = t48 + t45;
         let t50 = t49 + t47;

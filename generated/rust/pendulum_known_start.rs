@@ -196,43 +196,43 @@ impl Observer {
         let t006 = work.flags[0] || work.flags[1];
         let t007 = measurements.theta;
         work.flags[2] = (-1e34..=1e34).contains(&t007);
-        let t009 = self.theta_1;
 
         // prediction, for a sample that is missing or not measured now
-        let t010 = self.sin_theta_1;
-        let t011 = self.z1_omega;
-        let t013 = 0.000_999_966_4 * t011;
-        let t015 = 1.070_297e-5 * t010;
-        let t017 = 2.140_576e-5 * t010;
-        let t018 = t013 + t009;
+        let t009 = self.sin_theta_1;
+        let t010 = self.z1_omega;
+        let t011 = self.theta_1;
+        let t013 = 0.000_999_966_4 * t010;
+        let t015 = 1.070_297e-5 * t009;
+        let t017 = 2.140_576e-5 * t009;
+        let t018 = t013 + t011;
         let t019 = t018 + t015;
         let t020 = t019 + t017;
         let t021 = (-1e34..=1e34).contains(&t020);
         let t022 = t006 && t021;
-        let t023 = if t022 { t020 } else { t009 };
+        let t023 = if t022 { t020 } else { t011 };
         let t024 = if work.flags[2] { t007 } else { t023 };
         work.t025 = ::deadbeat::math::sin_f32(t024);
-        let t026 = work.t025 - t010;
+        let t026 = work.t025 - t009;
         let t027 = 1.070_297e-5 * t026;
         let t028 = t020 + t027;
         let t029 = (-1e34..=1e34).contains(&t028);
         let t030 = t006 && t029;
-        let t031 = if t030 { t028 } else { t009 };
+        let t031 = if t030 { t028 } else { t011 };
         let t032 = work.flags[2] || t030;
         work.flags[3] = !t032;
         work.t034 = if work.flags[2] { t007 } else { t031 };
 
         // both copies, one call on
-        let t036 = 0.999_932_77 * t011;
+        let t036 = 0.999_932_77 * t010;
         let t038 = 0.032_108_73 * work.t025;
-        let t040 = 0.032_108_013 * t010;
+        let t040 = 0.032_108_013 * t009;
         let t041 = t036 + t038;
         work.t042 = t041 + t040;
         let t043 = self.z2_omega;
         let t045 = 1.001_802_7 * t043;
-        let t047 = -0.003_371_072_2 * t009;
+        let t047 = -0.003_371_072_2 * t011;
         let t049 = 0.032_128_744 * work.t025;
-        let t051 = 0.032_148_04 * t010;
+        let t051 = 0.032_148_04 * t009;
         let t052 = t045 + t047;
         let t053 = t052 + t049;
         let t054 = t053 + t051;

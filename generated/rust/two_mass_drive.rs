@@ -622,20 +622,20 @@ impl Observer {
         let t064 = t053 && t060;
         let t065 = !t064;
         let t066 = t063 && t065;
-        let t067 = t006 && t008;
-        let t068 = t067 && t010;
-        let t069 = t036 || t048;
-        let t070 = t069 || t066;
+        let t067 = t036 || t048;
+        let t068 = t067 || t066;
+        let t069 = t006 && t008;
+        let t070 = t069 && t010;
 
         // how much of the window is good
         let t071 = if t002 < 41 { t002 + 1 } else { 41 };
-        let t072 = if t070 { 0 } else { t071 };
-        let t073 = if t068 { t071 } else { 0 };
+        let t072 = if t068 { 0 } else { t071 };
+        let t073 = if t070 { t071 } else { 0 };
         work.t074 = if t004 { t072 } else { t073 };
         self.count = work.t074;
         let t075 = self.coasting;
         let t076 = t075.saturating_sub(1);
-        let t078 = if t068 { t076 } else { 41 };
+        let t078 = if t070 { t076 } else { 41 };
         self.coasting = t078;
     }
 

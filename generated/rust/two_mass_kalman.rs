@@ -28,8 +28,8 @@
 //!   error bound from noise                   7.057e-5     6.843e-4    0.08838      0.1892
 //!
 //! Cost       32 multiplications, 30 additions a call, the same for every call
-//! Memory     state 56 bytes, constants 0 bytes
-//!            at most: stack 2440 bytes, flash 5296 bytes without elementary functions
+//! Memory     state 48 bytes, constants 0 bytes
+//!            at most: stack 2424 bytes, flash 5264 bytes without elementary functions
 //!
 //! Contract:
 //!  1. No heap, no recursion, no global or static mutable data, no file or console, no library.
@@ -96,8 +96,6 @@ pub struct Observer {
     /// good calls in a row, at most 125
     clean: usize,
     /// torque of the last call
-    last_known0: f64,
-    /// the last good value
     last_torque: f64,
 }
 
@@ -105,16 +103,16 @@ pub struct Observer {
 struct Work {
     t000: f64,
     t002: f64,
-    t030: f64,
-    t047: f64,
-    t064: f64,
-    t081: f64,
-    t136: f64,
+    t028: f64,
+    t045: f64,
+    t062: f64,
+    t079: f64,
+    t135: f64,
+    t137: f64,
     t138: f64,
     t139: f64,
-    t140: f64,
-    t159: Status,
-    /// t1, t3, t8, t82
+    t158: Status,
+    /// t1, t3, t80, t81
     flags: [bool; 4],
 }
 
@@ -123,15 +121,15 @@ impl Work {
     const EMPTY: Self = Self {
         t000: 0.0,
         t002: 0.0,
-        t030: 0.0,
-        t047: 0.0,
-        t064: 0.0,
-        t081: 0.0,
-        t136: 0.0,
+        t028: 0.0,
+        t045: 0.0,
+        t062: 0.0,
+        t079: 0.0,
+        t135: 0.0,
+        t137: 0.0,
         t138: 0.0,
         t139: 0.0,
-        t140: 0.0,
-        t159: Status::Converging,
+        t158: Status::Converging,
         flags: [false; 4],
     };
 }
@@ -147,7 +145,6 @@ impl Observer {
             load_speed: 0.0,
             good: 0,
             clean: 0,
-            last_known0: 0.0,
             last_torque: 0.0,
         }
     }
@@ -159,11 +156,11 @@ impl Observer {
         self.part_1(measurements, inputs, &mut work);
         self.part_2(&mut work);
         Estimate {
-            motor_angle: work.t136,
-            load_angle: work.t138,
-            motor_speed: work.t139,
-            load_speed: work.t140,
-            status: work.t159,
+            motor_angle: work.t135,
+            load_angle: work.t137,
+            motor_speed: work.t138,
+            load_speed: work.t139,
+            status: work.t158,
         }
     }
 
@@ -180,136 +177,134 @@ impl Observer {
         let t005 = (-1e303..=1e303).contains(&t004);
         let t006 = self.last_torque;
         let t007 = if t005 { t004 } else { t006 };
-        self.last_torque = t007;
-        work.flags[2] = work.flags[0] && work.flags[1];
 
         // prediction by the plant
-        let t009 = self.motor_angle;
-        let t010 = self.load_angle;
-        let t011 = self.motor_speed;
-        let t012 = self.load_speed;
-        let t013 = self.last_known0;
-        let t015 = 0.995_024_914_226_229_4 * t009;
-        let t017 = 0.004_975_085_773_770_609 * t010;
-        let t019 = 0.000_496_682_115_654_701_1 * t011;
-        let t021 = 3.317_884_345_298_893_7e-6 * t012;
-        let t023 = 8.293_894_840_854_371e-6 * t013;
-        let t025 = 4.154_200_521_167_732e-6 * t007;
-        let t026 = t015 + t017;
-        let t027 = t026 + t019;
-        let t028 = t021 + t023;
-        let t029 = t028 + t025;
-        work.t030 = t027 + t029;
-        let t032 = 0.000_995_017_154_754_121_8 * t009;
-        let t034 = 0.999_004_982_845_245_9 * t010;
-        let t036 = 6.635_768_690_597_788e-7 * t011;
-        let t038 = 0.000_499_336_423_130_940_2 * t012;
-        let t040 = 7.887_698_495_792_626e-9 * t013;
-        let t042 = 2.493_229_099_786_935e-9 * t007;
-        let t043 = t032 + t034;
-        let t044 = t043 + t036;
-        let t045 = t038 + t040;
-        let t046 = t045 + t042;
-        work.t047 = t044 + t046;
-        let t049 = -19.840_741_551_425_655 * t009;
-        let t051 = 19.840_741_551_425_655 * t010;
-        let t053 = 0.985_104_543_450_516_6 * t011;
-        let t055 = 0.014_895_456_549_483_436 * t012;
-        let t057 = 0.024_772_020_841_425_907 * t013;
-        let t059 = 0.024_896_190_724_044_205 * t007;
-        let t060 = t049 + t051;
-        let t061 = t060 + t053;
-        let t062 = t055 + t057;
-        let t063 = t062 + t059;
-        work.t064 = t061 + t063;
-        let t066 = 3.968_148_310_285_130_7 * t009;
-        let t068 = -3.968_148_310_285_130_7 * t010;
-        let t070 = 0.002_979_091_309_896_687 * t011;
-        let t072 = 0.997_020_908_690_103_3 * t012;
-        let t074 = 4.559_583_171_481_875e-5 * t013;
-        let t076 = 2.076_185_519_115_912e-5 * t007;
-        let t077 = t066 + t068;
-        let t078 = t077 + t070;
-        let t079 = t072 + t074;
-        let t080 = t079 + t076;
-        work.t081 = t078 + t080;
-        self.last_known0 = t007;
+        let t008 = self.motor_angle;
+        let t009 = self.load_angle;
+        let t010 = self.motor_speed;
+        let t011 = self.load_speed;
+        let t013 = 0.995_024_914_226_229_4 * t008;
+        let t015 = 0.004_975_085_773_770_609 * t009;
+        let t017 = 0.000_496_682_115_654_701_1 * t010;
+        let t019 = 3.317_884_345_298_893_7e-6 * t011;
+        let t021 = 8.293_894_840_854_371e-6 * t006;
+        let t023 = 4.154_200_521_167_732e-6 * t007;
+        let t024 = t013 + t015;
+        let t025 = t024 + t017;
+        let t026 = t019 + t021;
+        let t027 = t026 + t023;
+        work.t028 = t025 + t027;
+        let t030 = 0.000_995_017_154_754_121_8 * t008;
+        let t032 = 0.999_004_982_845_245_9 * t009;
+        let t034 = 6.635_768_690_597_788e-7 * t010;
+        let t036 = 0.000_499_336_423_130_940_2 * t011;
+        let t038 = 7.887_698_495_792_626e-9 * t006;
+        let t040 = 2.493_229_099_786_935e-9 * t007;
+        let t041 = t030 + t032;
+        let t042 = t041 + t034;
+        let t043 = t036 + t038;
+        let t044 = t043 + t040;
+        work.t045 = t042 + t044;
+        let t047 = -19.840_741_551_425_655 * t008;
+        let t049 = 19.840_741_551_425_655 * t009;
+        let t051 = 0.985_104_543_450_516_6 * t010;
+        let t053 = 0.014_895_456_549_483_436 * t011;
+        let t055 = 0.024_772_020_841_425_907 * t006;
+        let t057 = 0.024_896_190_724_044_205 * t007;
+        let t058 = t047 + t049;
+        let t059 = t058 + t051;
+        let t060 = t053 + t055;
+        let t061 = t060 + t057;
+        work.t062 = t059 + t061;
+        let t064 = 3.968_148_310_285_130_7 * t008;
+        let t066 = -3.968_148_310_285_130_7 * t009;
+        let t068 = 0.002_979_091_309_896_687 * t010;
+        let t070 = 0.997_020_908_690_103_3 * t011;
+        let t072 = 4.559_583_171_481_875e-5 * t006;
+        let t074 = 2.076_185_519_115_912e-5 * t007;
+        let t075 = t064 + t066;
+        let t076 = t075 + t068;
+        let t077 = t070 + t072;
+        let t078 = t077 + t074;
+        work.t079 = t076 + t078;
+        work.flags[2] = work.flags[0] && work.flags[1];
+        self.last_torque = t007;
         work.flags[3] = t005 && work.flags[2];
     }
 
     /// Part 2 of a step.
     fn part_2(&mut self, work: &mut Work) {
         // correction by the innovation
-        let t083 = (-628.318_530_717_958_7..=628.318_530_717_958_7).contains(&work.t030);
-        let t084 = work.flags[0] || t083;
-        let t085 = !t084;
-        let t086 = (-628.318_530_717_958_7..=628.318_530_717_958_7).contains(&work.t047);
-        let t087 = work.flags[1] || t086;
-        let t088 = !t087;
-        let t089 = t085 || t088;
-        let t091 = work.t000 - work.t030;
-        let t092 = if work.flags[0] { t091 } else { 0.0 };
-        let t093 = work.t002 - work.t047;
-        let t094 = if work.flags[1] { t093 } else { 0.0 };
-        let t096 = 0.625_217_097_873_244_5 * t092;
-        let t098 = 0.002_542_111_325_138_867 * t094;
-        let t099 = t096 + t098;
-        let t101 = 0.050_842_226_502_777_345 * t092;
-        let t103 = 0.237_295_467_806_273_17 * t094;
-        let t104 = t101 + t103;
-        let t106 = 588.592_456_611_132_3 * t092;
-        let t108 = 7.518_009_944_344_432 * t094;
-        let t109 = t106 + t108;
-        let t111 = 15.768_605_939_992_751 * t092;
-        let t113 = 64.502_650_255_188_71 * t094;
-        let t114 = t111 + t113;
-        let t115 = work.t030 + t099;
-        let t116 = work.t047 + t104;
-        let t117 = work.t064 + t109;
-        let t118 = work.t081 + t114;
+        let t082 = (-628.318_530_717_958_7..=628.318_530_717_958_7).contains(&work.t028);
+        let t083 = work.flags[0] || t082;
+        let t084 = !t083;
+        let t085 = (-628.318_530_717_958_7..=628.318_530_717_958_7).contains(&work.t045);
+        let t086 = work.flags[1] || t085;
+        let t087 = !t086;
+        let t088 = t084 || t087;
+        let t090 = work.t000 - work.t028;
+        let t091 = if work.flags[0] { t090 } else { 0.0 };
+        let t092 = work.t002 - work.t045;
+        let t093 = if work.flags[1] { t092 } else { 0.0 };
+        let t095 = 0.625_217_097_873_244_5 * t091;
+        let t097 = 0.002_542_111_325_138_867 * t093;
+        let t098 = t095 + t097;
+        let t100 = 0.050_842_226_502_777_345 * t091;
+        let t102 = 0.237_295_467_806_273_17 * t093;
+        let t103 = t100 + t102;
+        let t105 = 588.592_456_611_132_3 * t091;
+        let t107 = 7.518_009_944_344_432 * t093;
+        let t108 = t105 + t107;
+        let t110 = 15.768_605_939_992_751 * t091;
+        let t112 = 64.502_650_255_188_71 * t093;
+        let t113 = t110 + t112;
+        let t114 = work.t028 + t098;
+        let t115 = work.t045 + t103;
+        let t116 = work.t062 + t108;
+        let t117 = work.t079 + t113;
 
         // the first sample starts the observer; so does a state beyond all bounds
-        let t120 = self.good;
-        let t121 = t120 == 0;
-        let t122 = t121 || t089;
-        let t123 = (-1e303..=1e303).contains(&t115);
-        let t124 = !t123;
-        let t125 = t122 || t124;
-        let t126 = (-1e303..=1e303).contains(&t116);
-        let t127 = !t126;
-        let t128 = t125 || t127;
-        let t129 = (-1e303..=1e303).contains(&t117);
-        let t130 = !t129;
-        let t131 = t128 || t130;
-        let t132 = (-1e303..=1e303).contains(&t118);
-        let t133 = !t132;
-        let t134 = t131 || t133;
-        let t135 = if work.flags[2] { work.t000 } else { 0.0 };
-        work.t136 = if t134 { t135 } else { t115 };
-        self.motor_angle = work.t136;
-        let t137 = if work.flags[2] { work.t002 } else { 0.0 };
-        work.t138 = if t134 { t137 } else { t116 };
-        self.load_angle = work.t138;
-        work.t139 = if t134 { 0.0 } else { t117 };
-        self.motor_speed = work.t139;
-        work.t140 = if t134 { 0.0 } else { t118 };
-        self.load_speed = work.t140;
-        let t142 = usize::from(work.flags[2]);
-        let t143 = if t120 < 114 { t120 + 1 } else { 114 };
-        let t144 = if work.flags[2] { t143 } else { t120 };
-        let t145 = if t134 { t142 } else { t144 };
-        self.good = t145;
-        let t146 = self.clean;
-        let t147 = if t146 < 125 { t146 + 1 } else { 125 };
-        let t148 = if work.flags[3] { t147 } else { 0 };
-        let t150 = if t134 { 125 } else { t148 };
-        self.clean = t150;
+        let t119 = self.good;
+        let t120 = t119 == 0;
+        let t121 = t120 || t088;
+        let t122 = (-1e303..=1e303).contains(&t114);
+        let t123 = !t122;
+        let t124 = t121 || t123;
+        let t125 = (-1e303..=1e303).contains(&t115);
+        let t126 = !t125;
+        let t127 = t124 || t126;
+        let t128 = (-1e303..=1e303).contains(&t116);
+        let t129 = !t128;
+        let t130 = t127 || t129;
+        let t131 = (-1e303..=1e303).contains(&t117);
+        let t132 = !t131;
+        let t133 = t130 || t132;
+        let t134 = if work.flags[2] { work.t000 } else { 0.0 };
+        work.t135 = if t133 { t134 } else { t114 };
+        self.motor_angle = work.t135;
+        let t136 = if work.flags[2] { work.t002 } else { 0.0 };
+        work.t137 = if t133 { t136 } else { t115 };
+        self.load_angle = work.t137;
+        work.t138 = if t133 { 0.0 } else { t116 };
+        self.motor_speed = work.t138;
+        work.t139 = if t133 { 0.0 } else { t117 };
+        self.load_speed = work.t139;
+        let t141 = usize::from(work.flags[2]);
+        let t142 = if t119 < 114 { t119 + 1 } else { 114 };
+        let t143 = if work.flags[2] { t142 } else { t119 };
+        let t144 = if t133 { t141 } else { t143 };
+        self.good = t144;
+        let t145 = self.clean;
+        let t146 = if t145 < 125 { t145 + 1 } else { 125 };
+        let t147 = if work.flags[3] { t146 } else { 0 };
+        let t149 = if t133 { 125 } else { t147 };
+        self.clean = t149;
 
         // the estimate
-        let t153 = 113 < t145;
-        let t154 = 124 < t150;
-        let t158 = if t154 { Status::Converged } else { Status::Coasting };
-        work.t159 = if t153 { t158 } else { Status::Converging };
+        let t152 = 113 < t144;
+        let t153 = 124 < t149;
+        let t157 = if t153 { Status::Converged } else { Status::Coasting };
+        work.t158 = if t152 { t157 } else { Status::Converging };
     }
 }
 

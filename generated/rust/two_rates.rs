@@ -25,7 +25,7 @@
 //!
 //! Cost       1328 multiplications, 1081 additions, 6 divisions a call, the same for every call
 //! Memory     state 856 bytes, constants 960 bytes
-//!            at most: stack 2556 bytes, flash 10616 bytes without elementary functions
+//!            at most: stack 2540 bytes, flash 10576 bytes without elementary functions
 //!
 //! Contract:
 //!  1. No heap, no recursion, no global or static mutable data, no file or console, no library.
@@ -162,108 +162,112 @@ static ROWS: [[f32; 6]; 40] = [
 
 /// What one part of a step hands to the next.
 struct Work {
-    t009: f32,
     t010: usize,
+    t014: f32,
+    t018: f32,
     t019: f32,
-    t027: usize,
-    t038: usize,
-    t079: f32,
-    t081: f32,
-    t083: f32,
-    t085: f32,
-    t087: f32,
-    t089: f32,
-    t091: f32,
-    t093: f32,
-    t095: f32,
+    t027: f32,
+    t032: usize,
+    t047: usize,
+    t088: f32,
+    t090: f32,
+    t092: f32,
+    t094: f32,
     t096: f32,
-    t097: f32,
     t098: f32,
-    t099: f32,
     t100: f32,
-    t101: f32,
     t102: f32,
-    t103: f32,
     t104: f32,
     t105: f32,
     t106: f32,
     t107: f32,
-    t108: usize,
-    t109: usize,
-    t119: f32,
-    t126: f32,
-    t166: f32,
-    t168: f32,
-    t170: f32,
-    t172: f32,
-    t174: f32,
-    t176: f32,
-    t178: f32,
-    t180: f32,
-    t182: f32,
+    t108: f32,
+    t109: f32,
+    t110: f32,
+    t111: f32,
+    t112: f32,
+    t113: f32,
+    t114: f32,
+    t115: f32,
+    t116: f32,
+    t117: usize,
+    t118: usize,
+    t127: f32,
+    t133: f32,
+    t173: f32,
+    t175: f32,
+    t177: f32,
+    t179: f32,
+    t181: f32,
     t183: f32,
-    t227: f32,
-    t233: f32,
-    t236: f32,
+    t185: f32,
+    t187: f32,
+    t189: f32,
+    t190: f32,
+    t248: f32,
+    t251: f32,
+    t254: f32,
+    t274: f32,
+    t275: f32,
     t276: f32,
-    t277: f32,
-    t278: f32,
-    t286: Status,
-    /// t37, t208
-    flags: [bool; 2],
+    t284: Status,
+    /// t46, t215, t256
+    flags: [bool; 3],
 }
 
 impl Work {
     /// Before the first part.
     const EMPTY: Self = Self {
-        t009: 0.0,
         t010: 0,
+        t014: 0.0,
+        t018: 0.0,
         t019: 0.0,
-        t027: 0,
-        t038: 0,
-        t079: 0.0,
-        t081: 0.0,
-        t083: 0.0,
-        t085: 0.0,
-        t087: 0.0,
-        t089: 0.0,
-        t091: 0.0,
-        t093: 0.0,
-        t095: 0.0,
+        t027: 0.0,
+        t032: 0,
+        t047: 0,
+        t088: 0.0,
+        t090: 0.0,
+        t092: 0.0,
+        t094: 0.0,
         t096: 0.0,
-        t097: 0.0,
         t098: 0.0,
-        t099: 0.0,
         t100: 0.0,
-        t101: 0.0,
         t102: 0.0,
-        t103: 0.0,
         t104: 0.0,
         t105: 0.0,
         t106: 0.0,
         t107: 0.0,
-        t108: 0,
-        t109: 0,
-        t119: 0.0,
-        t126: 0.0,
-        t166: 0.0,
-        t168: 0.0,
-        t170: 0.0,
-        t172: 0.0,
-        t174: 0.0,
-        t176: 0.0,
-        t178: 0.0,
-        t180: 0.0,
-        t182: 0.0,
+        t108: 0.0,
+        t109: 0.0,
+        t110: 0.0,
+        t111: 0.0,
+        t112: 0.0,
+        t113: 0.0,
+        t114: 0.0,
+        t115: 0.0,
+        t116: 0.0,
+        t117: 0,
+        t118: 0,
+        t127: 0.0,
+        t133: 0.0,
+        t173: 0.0,
+        t175: 0.0,
+        t177: 0.0,
+        t179: 0.0,
+        t181: 0.0,
         t183: 0.0,
-        t227: 0.0,
-        t233: 0.0,
-        t236: 0.0,
+        t185: 0.0,
+        t187: 0.0,
+        t189: 0.0,
+        t190: 0.0,
+        t248: 0.0,
+        t251: 0.0,
+        t254: 0.0,
+        t274: 0.0,
+        t275: 0.0,
         t276: 0.0,
-        t277: 0.0,
-        t278: 0.0,
-        t286: Status::Converging,
-        flags: [false; 2],
+        t284: Status::Converging,
+        flags: [false; 3],
     };
 }
 
@@ -296,14 +300,14 @@ impl Observer {
         self.part_1(measurements, inputs, &mut work);
         self.part_2(&mut work);
         self.part_4(&mut work);
-        Self::part_5(&mut work);
+        self.part_5(&mut work);
         self.part_6(&mut work);
         Estimate {
-            position: work.t276,
-            speed: work.t277,
-            slope: work.t278,
-            coasted: ::deadbeat::math::u32_from_index(work.t027),
-            status: work.t286,
+            position: work.t274,
+            speed: work.t275,
+            slope: work.t276,
+            coasted: ::deadbeat::math::u32_from_index(work.t032),
+            status: work.t284,
         }
     }
 
@@ -319,312 +323,312 @@ impl Observer {
         let t006 = inputs.force;
         let t007 = (-1e25..=1e25).contains(&t006);
         let t008 = self.force[t001];
-        work.t009 = if t007 { t006 } else { t008 };
+        let t009 = if t007 { t006 } else { t008 };
         work.t010 = if t001 < 40 { t001 + 1 } else { 0 };
-        let t013 = self.slot_camera;
-        let t014 = t013.min(40);
-        let t015 = if t014 < 40 { t014 + 1 } else { 0 };
-        self.slot_camera = t015;
-        let t016 = self.camera[t014];
-        let t017 = if t003 { t002 } else { t016 };
-        let t018 = self.wheel[t001];
-        work.t019 = if t005 { t004 } else { t018 };
-        let t020 = if t003 { 1.0 } else { 0.0 };
-        let t021 = if t005 { 1.0 } else { 0.0 };
-        let t022 = self.count;
-        let t023 = t003 || t005;
-        let t025 = self.since;
-        let t026 = if t025 < 4_294_967_295 { t025 + 1 } else { 4_294_967_295 };
-        work.t027 = if t023 { 0 } else { t026 };
-        self.since = work.t027;
+        let t011 = self.next_position;
+        let t013 = 1.994_677_4e-5 * t009;
+        work.t014 = t011 + t013;
+        let t015 = self.next_speed;
+        let t017 = 0.003_984_042_4 * t009;
+        work.t018 = t015 + t017;
+        work.t019 = self.next_slope;
+        let t021 = self.slot_camera;
+        let t022 = t021.min(40);
+        let t023 = if t022 < 40 { t022 + 1 } else { 0 };
+        self.slot_camera = t023;
+        let t024 = self.camera[t022];
+        let t025 = if t003 { t002 } else { t024 };
+        let t026 = self.wheel[t001];
+        work.t027 = if t005 { t004 } else { t026 };
+        let t028 = t003 || t005;
+        let t030 = self.since;
+        let t031 = if t030 < 4_294_967_295 { t030 + 1 } else { 4_294_967_295 };
+        work.t032 = if t028 { 0 } else { t031 };
+        self.since = work.t032;
+        let t035 = if t003 { 1.0 } else { 0.0 };
+        let t036 = if t005 { 1.0 } else { 0.0 };
+        let t037 = self.count;
 
         // how much of the window is good
-        let t029 = 40 < t022;
-        let t031 = if t022 < 42 { t022 + 1 } else { 42 };
-        let t032 = if t007 { t031 } else { 1 };
-        let t033 = if t029 { t031 } else { t032 };
-        self.count = t033;
-        let t034 = self.coasting;
-        let t035 = t034.saturating_sub(1);
-        let t036 = if t007 { t035 } else { 40 };
-        self.coasting = t036;
+        let t038 = 40 < t037;
+        let t040 = if t037 < 42 { t037 + 1 } else { 42 };
+        let t041 = if t007 { t040 } else { 1 };
+        let t042 = if t038 { t040 } else { t041 };
+        self.count = t042;
+        let t043 = self.coasting;
+        let t044 = t043.saturating_sub(1);
+        let t045 = if t007 { t044 } else { 40 };
+        self.coasting = t045;
 
         // into the window
         self.newest = work.t010;
-        self.camera[t015] = t017;
-        self.wheel[work.t010.min(40)] = work.t019;
+        self.camera[t023] = t025;
+        self.wheel[work.t010.min(40)] = work.t027;
         self.has_camera[work.t010.min(40)] = 0.0;
-        self.has_camera[t015] = t020;
-        self.has_wheel[work.t010.min(40)] = t021;
-        self.force[work.t010.min(40)] = work.t009;
-        work.flags[0] = 40 < t033;
+        self.has_camera[t023] = t035;
+        self.has_wheel[work.t010.min(40)] = t036;
+        self.force[work.t010.min(40)] = t009;
+        work.flags[0] = 40 < t042;
     }
 
     /// Part 2 of a step.
     fn part_2(&self, work: &mut Work) {
         // rows of the window, oldest first; those without a sample count nothing
-        work.t038 = if work.t010 < 40 { work.t010 + 1 } else { 0 };
-        let t044 = self.has_camera[work.t038.min(40)];
-        let t045 = self.camera[work.t038.min(40)];
-        let t046 = t045 - 0.0;
-        let t048 = 200.0 * t046;
-        let t049 = t044 * 0.160_128_15;
-        let t050 = t044 * -0.114_321_806;
-        let t051 = t044 * 0.059_323_51;
-        let t052 = t049 * t049;
-        let t053 = 0.0 + t052;
-        let t054 = t049 * t050;
-        let t055 = 0.0 + t054;
-        let t056 = t049 * t051;
-        let t057 = 0.0 + t056;
-        let t058 = t050 * t050;
-        let t059 = 0.0 + t058;
-        let t060 = t050 * t051;
-        let t061 = 0.0 + t060;
-        let t062 = t051 * t051;
-        let t063 = 0.0 + t062;
-        let t064 = t049 * t048;
-        let t065 = 0.0 + t064;
-        let t066 = t050 * t048;
-        let t067 = 0.0 + t066;
-        let t068 = t051 * t048;
-        let t069 = 0.0 + t068;
-        let t070 = self.has_wheel[work.t038.min(40)];
-        let t071 = self.wheel[work.t038.min(40)];
-        let t072 = t071 - 0.0;
-        let t074 = 50.0 * t072;
-        let t075 = t070 * 0.0;
-        let t076 = t070 * 0.166_255_16;
-        let t077 = t070 * -0.257_862_2;
-        let t078 = t075 * t075;
-        work.t079 = t053 + t078;
-        let t080 = t075 * t076;
-        work.t081 = t055 + t080;
-        let t082 = t075 * t077;
-        work.t083 = t057 + t082;
-        let t084 = t076 * t076;
-        work.t085 = t059 + t084;
-        let t086 = t076 * t077;
-        work.t087 = t061 + t086;
-        let t088 = t077 * t077;
-        work.t089 = t063 + t088;
-        let t090 = t075 * t074;
-        work.t091 = t065 + t090;
-        let t092 = t076 * t074;
-        work.t093 = t067 + t092;
-        let t094 = t077 * t074;
-        work.t095 = t069 + t094;
+        work.t047 = if work.t010 < 40 { work.t010 + 1 } else { 0 };
+        let t053 = self.has_camera[work.t047.min(40)];
+        let t054 = self.camera[work.t047.min(40)];
+        let t055 = t054 - 0.0;
+        let t057 = 200.0 * t055;
+        let t058 = t053 * 0.160_128_15;
+        let t059 = t053 * -0.114_321_806;
+        let t060 = t053 * 0.059_323_51;
+        let t061 = t058 * t058;
+        let t062 = 0.0 + t061;
+        let t063 = t058 * t059;
+        let t064 = 0.0 + t063;
+        let t065 = t058 * t060;
+        let t066 = 0.0 + t065;
+        let t067 = t059 * t059;
+        let t068 = 0.0 + t067;
+        let t069 = t059 * t060;
+        let t070 = 0.0 + t069;
+        let t071 = t060 * t060;
+        let t072 = 0.0 + t071;
+        let t073 = t058 * t057;
+        let t074 = 0.0 + t073;
+        let t075 = t059 * t057;
+        let t076 = 0.0 + t075;
+        let t077 = t060 * t057;
+        let t078 = 0.0 + t077;
+        let t079 = self.has_wheel[work.t047.min(40)];
+        let t080 = self.wheel[work.t047.min(40)];
+        let t081 = t080 - 0.0;
+        let t083 = 50.0 * t081;
+        let t084 = t079 * 0.0;
+        let t085 = t079 * 0.166_255_16;
+        let t086 = t079 * -0.257_862_2;
+        let t087 = t084 * t084;
+        work.t088 = t062 + t087;
+        let t089 = t084 * t085;
+        work.t090 = t064 + t089;
+        let t091 = t084 * t086;
+        work.t092 = t066 + t091;
+        let t093 = t085 * t085;
+        work.t094 = t068 + t093;
+        let t095 = t085 * t086;
+        work.t096 = t070 + t095;
+        let t097 = t086 * t086;
+        work.t098 = t072 + t097;
+        let t099 = t084 * t083;
+        work.t100 = t074 + t099;
+        let t101 = t085 * t083;
+        work.t102 = t076 + t101;
+        let t103 = t086 * t083;
+        work.t104 = t078 + t103;
     }
 
     /// Part 3 of a step, for one row of `ROWS`.
     fn part_3(&self, work: &mut Work, gains: [f32; 6]) {
-        work.t109 = if work.t108 < 40 { work.t108 + 1 } else { 0 };
-        let t110 = self.force[work.t109.min(40)];
-        let t112 = 0.009_960_107 * work.t106;
-        let t114 = 4.986_693_2e-5 * work.t107;
-        let t115 = work.t105 + t112;
-        let t116 = t115 + t114;
-        let t118 = 1.994_677_4e-5 * t110;
-        work.t119 = t116 + t118;
-        let t121 = 0.992_031_93 * work.t106;
-        let t122 = 0.009_960_107 * work.t107;
-        let t123 = t121 + t122;
-        let t125 = 0.003_984_042_4 * t110;
-        work.t126 = t123 + t125;
-        let t127 = gains[0];
-        let t128 = gains[1];
-        let t129 = gains[2];
-        let t130 = gains[3];
-        let t131 = gains[4];
-        let t132 = gains[5];
-        let t133 = self.has_camera[work.t109.min(40)];
-        let t134 = self.camera[work.t109.min(40)];
-        let t135 = t134 - work.t119;
-        let t136 = 200.0 * t135;
-        let t137 = t133 * t127;
-        let t138 = t133 * t128;
-        let t139 = t133 * t129;
-        let t140 = t137 * t137;
-        let t141 = work.t096 + t140;
-        let t142 = t137 * t138;
-        let t143 = work.t097 + t142;
-        let t144 = t137 * t139;
-        let t145 = work.t098 + t144;
-        let t146 = t138 * t138;
-        let t147 = work.t099 + t146;
-        let t148 = t138 * t139;
-        let t149 = work.t100 + t148;
-        let t150 = t139 * t139;
-        let t151 = work.t101 + t150;
-        let t152 = t137 * t136;
-        let t153 = work.t102 + t152;
-        let t154 = t138 * t136;
-        let t155 = work.t103 + t154;
-        let t156 = t139 * t136;
-        let t157 = work.t104 + t156;
-        let t158 = self.has_wheel[work.t109.min(40)];
-        let t159 = self.wheel[work.t109.min(40)];
-        let t160 = t159 - work.t126;
-        let t161 = 50.0 * t160;
-        let t162 = t158 * t130;
-        let t163 = t158 * t131;
-        let t164 = t158 * t132;
-        let t165 = t162 * t162;
-        work.t166 = t141 + t165;
-        let t167 = t162 * t163;
-        work.t168 = t143 + t167;
-        let t169 = t162 * t164;
-        work.t170 = t145 + t169;
-        let t171 = t163 * t163;
-        work.t172 = t147 + t171;
-        let t173 = t163 * t164;
-        work.t174 = t149 + t173;
-        let t175 = t164 * t164;
-        work.t176 = t151 + t175;
-        let t177 = t162 * t161;
-        work.t178 = t153 + t177;
-        let t179 = t163 * t161;
-        work.t180 = t155 + t179;
-        let t181 = t164 * t161;
-        work.t182 = t157 + t181;
-        work.t183 = work.t107 - 0.0;
+        work.t118 = if work.t117 < 40 { work.t117 + 1 } else { 0 };
+        let t119 = self.force[work.t118.min(40)];
+        let t121 = 0.009_960_107 * work.t115;
+        let t123 = 4.986_693_2e-5 * work.t116;
+        let t124 = work.t114 + t121;
+        let t125 = t124 + t123;
+        let t126 = 1.994_677_4e-5 * t119;
+        work.t127 = t125 + t126;
+        let t129 = 0.992_031_93 * work.t115;
+        let t130 = 0.009_960_107 * work.t116;
+        let t131 = t129 + t130;
+        let t132 = 0.003_984_042_4 * t119;
+        work.t133 = t131 + t132;
+        let t134 = gains[0];
+        let t135 = gains[1];
+        let t136 = gains[2];
+        let t137 = gains[3];
+        let t138 = gains[4];
+        let t139 = gains[5];
+        let t140 = self.has_camera[work.t118.min(40)];
+        let t141 = self.camera[work.t118.min(40)];
+        let t142 = t141 - work.t127;
+        let t143 = 200.0 * t142;
+        let t144 = t140 * t134;
+        let t145 = t140 * t135;
+        let t146 = t140 * t136;
+        let t147 = t144 * t144;
+        let t148 = work.t105 + t147;
+        let t149 = t144 * t145;
+        let t150 = work.t106 + t149;
+        let t151 = t144 * t146;
+        let t152 = work.t107 + t151;
+        let t153 = t145 * t145;
+        let t154 = work.t108 + t153;
+        let t155 = t145 * t146;
+        let t156 = work.t109 + t155;
+        let t157 = t146 * t146;
+        let t158 = work.t110 + t157;
+        let t159 = t144 * t143;
+        let t160 = work.t111 + t159;
+        let t161 = t145 * t143;
+        let t162 = work.t112 + t161;
+        let t163 = t146 * t143;
+        let t164 = work.t113 + t163;
+        let t165 = self.has_wheel[work.t118.min(40)];
+        let t166 = self.wheel[work.t118.min(40)];
+        let t167 = t166 - work.t133;
+        let t168 = 50.0 * t167;
+        let t169 = t165 * t137;
+        let t170 = t165 * t138;
+        let t171 = t165 * t139;
+        let t172 = t169 * t169;
+        work.t173 = t148 + t172;
+        let t174 = t169 * t170;
+        work.t175 = t150 + t174;
+        let t176 = t169 * t171;
+        work.t177 = t152 + t176;
+        let t178 = t170 * t170;
+        work.t179 = t154 + t178;
+        let t180 = t170 * t171;
+        work.t181 = t156 + t180;
+        let t182 = t171 * t171;
+        work.t183 = t158 + t182;
+        let t184 = t169 * t168;
+        work.t185 = t160 + t184;
+        let t186 = t170 * t168;
+        work.t187 = t162 + t186;
+        let t188 = t171 * t168;
+        work.t189 = t164 + t188;
+        work.t190 = work.t116 - 0.0;
     }
 
     /// Part 4 of a step.
     fn part_4(&self, work: &mut Work) {
-        work.t096 = work.t079;
-        work.t097 = work.t081;
-        work.t098 = work.t083;
-        work.t099 = work.t085;
-        work.t100 = work.t087;
-        work.t101 = work.t089;
-        work.t102 = work.t091;
-        work.t103 = work.t093;
-        work.t104 = work.t095;
-        work.t105 = 0.0;
-        work.t106 = 0.0;
-        work.t107 = 0.0;
-        work.t108 = work.t038;
+        work.t105 = work.t088;
+        work.t106 = work.t090;
+        work.t107 = work.t092;
+        work.t108 = work.t094;
+        work.t109 = work.t096;
+        work.t110 = work.t098;
+        work.t111 = work.t100;
+        work.t112 = work.t102;
+        work.t113 = work.t104;
+        work.t114 = 0.0;
+        work.t115 = 0.0;
+        work.t116 = 0.0;
+        work.t117 = work.t047;
         for gains in &ROWS {
             self.part_3(work, *gains);
-            work.t096 = work.t166;
-            work.t097 = work.t168;
-            work.t098 = work.t170;
-            work.t099 = work.t172;
-            work.t100 = work.t174;
-            work.t101 = work.t176;
-            work.t102 = work.t178;
-            work.t103 = work.t180;
-            work.t104 = work.t182;
-            work.t105 = work.t119;
-            work.t106 = work.t126;
-            work.t107 = work.t183;
-            work.t108 = work.t109;
+            work.t105 = work.t173;
+            work.t106 = work.t175;
+            work.t107 = work.t177;
+            work.t108 = work.t179;
+            work.t109 = work.t181;
+            work.t110 = work.t183;
+            work.t111 = work.t185;
+            work.t112 = work.t187;
+            work.t113 = work.t189;
+            work.t114 = work.t127;
+            work.t115 = work.t133;
+            work.t116 = work.t190;
+            work.t117 = work.t118;
         }
     }
 
     /// Part 5 of a step.
-    fn part_5(work: &mut Work) {
+    fn part_5(&mut self, work: &mut Work) {
         // the window's start from the samples that are there
-        let t185 = 0.002_804_487_2 < work.t096;
-        let t186 = if t185 { work.t096 } else { 1.0 };
-        let t187 = work.t097 / t186;
-        let t188 = t187 * work.t097;
-        let t189 = work.t099 - t188;
-        let t190 = t187 * work.t098;
-        let t191 = work.t100 - t190;
-        let t192 = t187 * work.t102;
-        let t193 = work.t103 - t192;
-        let t194 = work.t098 / t186;
-        let t195 = t194 * work.t098;
-        let t196 = work.t101 - t195;
-        let t197 = t194 * work.t102;
-        let t198 = work.t104 - t197;
-        let t199 = 0.002_804_487_2 < t189;
-        let t200 = t185 && t199;
-        let t201 = if t199 { t189 } else { 1.0 };
-        let t202 = t191 / t201;
-        let t203 = t202 * t191;
-        let t204 = t196 - t203;
-        let t205 = t202 * t193;
-        let t206 = t198 - t205;
-        let t207 = 0.002_804_487_2 < t204;
-        work.flags[1] = t200 && t207;
-        let t209 = if t207 { t204 } else { 1.0 };
-        let t210 = t206 / t209;
-        let t211 = t191 * t210;
-        let t212 = t193 - t211;
-        let t213 = t212 / t201;
-        let t214 = work.t097 * t213;
-        let t215 = work.t102 - t214;
-        let t216 = work.t098 * t210;
-        let t217 = t215 - t216;
-        let t218 = t217 / t186;
-        let t220 = 0.000_800_640_8 * t218;
-        let t222 = 0.000_566_619_4 * t213;
-        let t224 = 0.000_412_186_8 * t210;
-        let t225 = t220 + t222;
-        let t226 = t225 + t224;
-        work.t227 = t226 + work.t105;
-        let t229 = 0.002_414_520_6 * t213;
-        let t231 = 0.005_184_471_6 * t210;
-        let t232 = t229 + t231;
-        work.t233 = t232 + work.t106;
-        let t235 = 0.026_085_427 * t210;
-        work.t236 = t235 + work.t107;
+        let t192 = 0.002_804_487_2 < work.t105;
+        let t193 = if t192 { work.t105 } else { 1.0 };
+        let t194 = work.t106 / t193;
+        let t195 = t194 * work.t106;
+        let t196 = work.t108 - t195;
+        let t197 = t194 * work.t107;
+        let t198 = work.t109 - t197;
+        let t199 = t194 * work.t111;
+        let t200 = work.t112 - t199;
+        let t201 = work.t107 / t193;
+        let t202 = t201 * work.t107;
+        let t203 = work.t110 - t202;
+        let t204 = t201 * work.t111;
+        let t205 = work.t113 - t204;
+        let t206 = 0.002_804_487_2 < t196;
+        let t207 = t192 && t206;
+        let t208 = if t206 { t196 } else { 1.0 };
+        let t209 = t198 / t208;
+        let t210 = t209 * t198;
+        let t211 = t203 - t210;
+        let t212 = t209 * t200;
+        let t213 = t205 - t212;
+        let t214 = 0.002_804_487_2 < t211;
+        work.flags[1] = t207 && t214;
+        let t216 = if t214 { t211 } else { 1.0 };
+        let t217 = t213 / t216;
+        let t218 = t198 * t217;
+        let t219 = t200 - t218;
+        let t220 = t219 / t208;
+        let t221 = work.t106 * t220;
+        let t222 = work.t111 - t221;
+        let t223 = work.t107 * t217;
+        let t224 = t222 - t223;
+        let t225 = t224 / t193;
+        let t227 = 0.000_800_640_8 * t225;
+        let t229 = 0.000_566_619_4 * t220;
+        let t231 = 0.000_412_186_8 * t217;
+        let t232 = t227 + t229;
+        let t233 = t232 + t231;
+        let t234 = t233 + work.t114;
+        let t236 = 0.002_414_520_6 * t220;
+        let t238 = 0.005_184_471_6 * t217;
+        let t239 = t236 + t238;
+        let t240 = t239 + work.t115;
+        let t242 = 0.026_085_427 * t217;
+        let t243 = t242 + work.t116;
+
+        // without enough samples, the model's prediction
+        let t244 = self.known;
+        let t245 = t244 == 1;
+        let t246 = (-1e25..=1e25).contains(&work.t014);
+        let t247 = t245 && t246;
+        work.t248 = if work.flags[1] { t234 } else { work.t014 };
+        let t249 = (-1e25..=1e25).contains(&work.t018);
+        let t250 = t247 && t249;
+        work.t251 = if work.flags[1] { t240 } else { work.t018 };
+        let t252 = (-1e25..=1e25).contains(&work.t019);
+        let t253 = t250 && t252;
+        work.t254 = if work.flags[1] { t243 } else { work.t019 };
+        let t255 = work.flags[1] || t253;
+        work.flags[2] = work.flags[0] && t255;
+        let t257 = usize::from(work.flags[2]);
+        self.known = t257;
+        let t259 = 0.009_960_107 * work.t251;
+        let t261 = 4.986_693_2e-5 * work.t254;
+        let t262 = work.t248 + t259;
+        let t263 = t262 + t261;
+        let t264 = (-1e25..=1e25).contains(&t263);
+        let t265 = if t264 { t263 } else { 0.0 };
+        self.next_position = t265;
+        let t267 = 0.992_031_93 * work.t251;
+        let t268 = 0.009_960_107 * work.t254;
+        let t269 = t267 + t268;
+        let t270 = (-1e25..=1e25).contains(&t269);
+        let t271 = if t270 { t269 } else { 0.0 };
+        self.next_speed = t271;
+        let t272 = (-1e25..=1e25).contains(&work.t254);
+        let t273 = if t272 { work.t254 } else { 0.0 };
+        self.next_slope = t273;
     }
 
     /// Part 6 of a step.
-    fn part_6(&mut self, work: &mut Work) {
-        // without enough samples, the model's prediction
-        let t237 = self.known;
-        let t238 = t237 == 1;
-        let t239 = self.next_position;
-        let t241 = 1.994_677_4e-5 * work.t009;
-        let t242 = t239 + t241;
-        let t243 = (-1e25..=1e25).contains(&t242);
-        let t244 = t238 && t243;
-        let t245 = if work.flags[1] { work.t227 } else { t242 };
-        let t246 = self.next_speed;
-        let t248 = 0.003_984_042_4 * work.t009;
-        let t249 = t246 + t248;
-        let t250 = (-1e25..=1e25).contains(&t249);
-        let t251 = t244 && t250;
-        let t252 = if work.flags[1] { work.t233 } else { t249 };
-        let t253 = self.next_slope;
-        let t254 = (-1e25..=1e25).contains(&t253);
-        let t255 = t251 && t254;
-        let t256 = if work.flags[1] { work.t236 } else { t253 };
-        let t257 = work.flags[1] || t255;
-        let t258 = work.flags[0] && t257;
-        let t259 = usize::from(t258);
-        self.known = t259;
-        let t261 = 0.009_960_107 * t252;
-        let t263 = 4.986_693_2e-5 * t256;
-        let t264 = t245 + t261;
-        let t265 = t264 + t263;
-        let t266 = (-1e25..=1e25).contains(&t265);
-        let t267 = if t266 { t265 } else { 0.0 };
-        self.next_position = t267;
-        let t269 = 0.992_031_93 * t252;
-        let t270 = 0.009_960_107 * t256;
-        let t271 = t269 + t270;
-        let t272 = (-1e25..=1e25).contains(&t271);
-        let t273 = if t272 { t271 } else { 0.0 };
-        self.next_speed = t273;
-        let t274 = (-1e25..=1e25).contains(&t256);
-        let t275 = if t274 { t256 } else { 0.0 };
-        self.next_slope = t275;
-
+    fn part_6(&self, work: &mut Work) {
         // the estimate; until there is one, the start
-        work.t276 = if t258 { t245 } else { 0.0 };
-        work.t277 = if t258 { t252 } else { work.t019 };
-        work.t278 = if t258 { t256 } else { 0.0 };
-        let t279 = self.coasting;
-        let t280 = t279 == 0;
-        let t281 = work.flags[1] && t280;
-        let t285 = if t281 { Status::Converged } else { Status::Coasting };
-        work.t286 = if t258 { t285 } else { Status::Converging };
+        work.t274 = if work.flags[2] { work.t248 } else { 0.0 };
+        work.t275 = if work.flags[2] { work.t251 } else { work.t027 };
+        work.t276 = if work.flags[2] { work.t254 } else { 0.0 };
+        let t277 = self.coasting;
+        let t278 = t277 == 0;
+        let t279 = work.flags[1] && t278;
+        let t283 = if t279 { Status::Converged } else { Status::Coasting };
+        work.t284 = if work.flags[2] { t283 } else { Status::Converging };
     }
 }
 const _: f32 = SAMPLE_TIME;

@@ -1492,21 +1492,21 @@ impl Observer {
         let t050 = t039 && t046;
         let t051 = !t050;
         let t052 = t049 && t051;
-        let t053 = t006 && t008;
-        let t054 = t033 || t035;
-        let t055 = t054 || t052;
+        let t053 = t033 || t035;
+        let t054 = t053 || t052;
+        let t055 = t006 && t008;
 
         // how much of the window is good
         let t057 = if t002 < 101 { t002 + 1 } else { 101 };
-        let t058 = if t055 { 0 } else { t057 };
+        let t058 = if t054 { 0 } else { t057 };
         let t059 = if t010 { t057 } else { 1 };
-        let t060 = if t053 { t059 } else { 0 };
+        let t060 = if t055 { t059 } else { 0 };
         work.t061 = if t004 { t058 } else { t060 };
         self.count = work.t061;
         let t062 = self.coasting;
         let t063 = t062.saturating_sub(1);
         let t064 = if t010 { t063 } else { 100 };
-        let t066 = if t053 { t064 } else { 101 };
+        let t066 = if t055 { t064 } else { 101 };
         self.coasting = t066;
 
         // into the window

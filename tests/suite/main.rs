@@ -56,6 +56,7 @@ mod sensors {
     mod several_rates_kalman;
     mod wrap;
     mod wrap_correctors;
+    mod wrap_resets;
 }
 
 /// What is generated: the same bytes, equal bits in every language, the contract.

@@ -11,7 +11,9 @@ use crate::plant::Plant;
 use crate::program::builder::Builder;
 use crate::program::{Program, Value};
 use crate::sampled::settled::{Settled, round};
+use crate::sampled::weights;
 use crate::step::ahead::Ahead;
+use crate::step::front::counts::Counts;
 use crate::step::guard::Guard;
 use crate::step::injections::Injections;
 use crate::step::report::Moved;
@@ -49,13 +51,19 @@ struct Lowering<'a> {
 
 impl Lowering<'_> {
     fn constant(&mut self, value: Settled) -> Value {
-        self.builder.float(value.value(self.plant.scalar))
+        weights::constant(&mut self.builder, value)
     }
 
     /// The sample, and whether it is good.
     fn read(&mut self) -> (Value, Value) {
         self.builder.section("the sample: outside its range, infinite or NaN means missing");
-        front::read(&mut self.builder, self.plant, 0, self.guard.outputs[0])
+        let (b, plant) = (&mut self.builder, self.plant);
+        let counter = Counts::declare(b, plant, &plant.outputs[0]);
+        let (value, good) = front::read(b, plant, 0, counter, self.guard.outputs[0]);
+        if let Some(counter) = counter {
+            counter.keep(b, 0, good);
+        }
+        (value, good)
     }
 
     /// A difference of samples, or the signal itself, within half a turn where it wraps.

@@ -24,11 +24,9 @@ use crate::step::guard::{Guard, lost};
 use super::weights::both;
 use super::{Grid, Impulsive, Update};
 
-/// Bounds on what may enter the state, and on what a reset may give.
+/// Bounds on what a reset may give.
 #[derive(Debug)]
 pub struct Bounds {
-    /// On samples, inputs and injections.
-    pub guard: Guard,
     /// Per entry of z1: the largest magnitude after a reset.
     pub limits: Vec<f64>,
 }
@@ -37,13 +35,14 @@ pub struct Bounds {
 const SLACK: f64 = 2.0;
 
 impl Bounds {
-    /// Finds the bounds; a constant that the target's floats cannot hold is an error.
-    pub fn new(plant: &Plant, design: &Impulsive) -> Result<Self, Vec<Diagnostic>> {
+    /// Finds the bounds, and those on samples, inputs and injections; a constant that the target's floats cannot hold is
+    /// an error.
+    pub fn new(plant: &Plant, design: &Impulsive) -> Result<(Self, Guard), Vec<Diagnostic>> {
         refuse_lost_constants(plant, design)?;
         let multiples = Multiples::new(plant, design);
         let guard = Guard::with_gain(plant, multiples.largest, 0.0)?;
         let limits = multiples.limits.iter().map(|limit| plant.scalar_value(limit * guard.bound)).collect();
-        Ok(Self { guard, limits })
+        Ok((Self { limits }, guard))
     }
 }
 
@@ -180,10 +179,10 @@ mod tests {
         for text in [text.to_owned(), text.replace("f32", "f64")] {
             let (plant, design) = designed(&text).unwrap();
             let shape = design.estimator.downcast_ref::<Impulsive>().unwrap();
-            let bounds = Bounds::new(&plant, shape).unwrap();
+            let (_, guard) = Bounds::new(&plant, shape).unwrap();
             let program = design.estimator.lower(&plant, None).unwrap();
             let mut interpreter = crate::program::interp::Interpreter::new(&program);
-            let bound = bounds.guard.bound;
+            let bound = guard.bound;
             let mut estimate = [0.0; 2];
             for call in 0..200 {
                 // The signs that a reset's weights have, and others.

@@ -13,6 +13,8 @@
 //! one of several outputs has been missing for a whole period while another has not, and when a reset gives what
 //! no good samples could.
 //!
+//! **Turns.** See `turn`.
+//!
 //! **Every g-th call.** Calls 0, g, 2g … are measured, whatever happens in between. Between them the prediction is
 //! part of the observer; it is kept within the output's range, where the output itself is.
 
@@ -21,34 +23,33 @@ mod copies;
 mod count;
 mod given;
 mod sample;
+mod turn;
 
 use crate::diagnostic::Diagnostic;
 use crate::plant::Plant;
 use crate::program::builder::Builder;
 use crate::program::{Program, Value};
-use crate::sampled::settled::{Settled, round};
+use crate::sampled::settled::round;
+use crate::sampled::weights::{self, products, push_products};
 use crate::step::ahead::Ahead;
 use crate::step::injections;
-use crate::step::injections::Injections;
-use crate::step::report::{self, Moved, field, start};
+use crate::step::reading::Reading;
+use crate::step::report::{self, Moved, start};
+use crate::step::sensors::{self, Sensors};
 
 use super::guard::Bounds;
-use super::{Grid, Impulsive, Update};
+use super::{Impulsive, Update};
 use cells::Cells;
+use turn::Turned;
 
 /// Lowers a design for its plant; constants that the target's floats cannot hold are reported.
 pub fn lower(plant: &Plant, design: &Impulsive, ahead: Option<&Ahead>) -> Result<Program, Vec<Diagnostic>> {
-    let bounds = Bounds::new(plant, design)?;
+    let (bounds, guard) = Bounds::new(plant, design)?;
     injections::check(plant)?;
     let mut builder = Builder::new(&plant.name, plant.scalar, round(&plant.sample_time.0, plant.scalar));
-    let cells = cells::declare(&mut builder, plant, design);
-    for output in &plant.outputs {
-        builder.measurement(field(&output.label.name, &output.label.unit, &output.label.doc));
-    }
-    for input in &plant.inputs {
-        builder.input(field(&input.label.name, &input.label.unit, &input.label.doc));
-    }
-    let mut lowering = Lowering { plant, design, bounds, builder, cells, ahead };
+    let (cells, sensors) = cells::declare(&mut builder, plant, design, guard);
+    sensors::declare(&mut builder, plant);
+    let mut lowering = Lowering { plant, design, bounds, builder, cells, sensors, ahead };
     lowering.step();
     lowering.init_at();
     Ok(lowering.builder.finish())
@@ -60,28 +61,9 @@ struct Lowering<'a> {
     bounds: Bounds,
     builder: Builder,
     cells: Cells,
+    sensors: Sensors<'a>,
     /// How the answer is moved.
     ahead: Option<&'a Ahead>,
-}
-
-/// What is known of a call once its samples have been looked at.
-struct Sampled {
-    /// Whether this call is one that is measured.
-    due: Value,
-    /// Whether every sample of this call, as far as it is measured, was good.
-    samples_good: Value,
-    /// Whether everything since the last call was good.
-    interval_good: Value,
-    /// Whether a missing sample had no prediction.
-    lost: Value,
-    /// Per output: what stands for it.
-    outputs: Vec<Value>,
-    /// Per known: its value of this call.
-    knowns: Vec<Value>,
-    /// Per input: what was used.
-    inputs: Vec<Value>,
-    /// Calls since the newest accepted sample, where the estimate says so.
-    coasted: Option<Value>,
 }
 
 /// What a call makes of the copies, and whether that can be used.
@@ -100,37 +82,13 @@ struct Copies {
 
 impl Lowering<'_> {
     fn step(&mut self) {
-        let sampled = self.sample();
-        let copies = self.carry(&sampled);
-        let counted = self.count(&sampled, &copies);
-        let given = self.runs_given(&sampled, &copies, &counted);
-        let first = self.store(&sampled, &copies, (counted.starting, given));
+        let reading = self.read();
+        let copies = self.carry(&reading);
+        let counted = self.count(&reading, &copies);
+        let given = self.runs_given(&reading, &copies, &counted);
+        let (outputs, first) = self.store(&reading, &copies, (counted.starting, given));
         let counted = self.with_given(counted, given);
-        self.report(&sampled, &first, &counted);
-    }
-
-    fn constant(&mut self, value: Settled) -> Value {
-        self.builder.float(value.value(self.plant.scalar))
-    }
-
-    /// Adds weights times values to the terms of a sum.
-    fn push_products(&mut self, terms: &mut Vec<Value>, weights: &[Option<Settled>], values: &[Value]) {
-        for (weight, value) in weights.iter().zip(values) {
-            if let Some(weight) = weight {
-                let weight = self.constant(*weight);
-                terms.push(self.builder.mul(weight, *value));
-            }
-        }
-    }
-
-    /// A grid times values.
-    fn products(&mut self, grid: &Grid, values: &[Value]) -> Vec<Value> {
-        let row = |row: &Vec<Option<Settled>>| {
-            let mut terms = Vec::new();
-            self.push_products(&mut terms, row, values);
-            self.builder.sum(&terms)
-        };
-        grid.iter().map(row).collect()
+        self.report(&reading, (&outputs, &first), &counted);
     }
 
     /// The terms of one row of an update from the values by age: outputs and knowns, from an age on.
@@ -141,79 +99,86 @@ impl Lowering<'_> {
         copy: &[Value],
         (outputs, knowns): (&[Vec<Value>], &[Vec<Value>]),
     ) -> Vec<Value> {
-        let mut terms = Vec::new();
-        self.push_products(&mut terms, &update.copy[row], copy);
+        let (mut terms, b) = (Vec::new(), &mut self.builder);
+        push_products(b, &mut terms, &update.copy[row], copy);
         for (grid, values) in update.outputs.iter().zip(outputs) {
-            self.push_products(&mut terms, &grid[row], values);
+            push_products(b, &mut terms, &grid[row], values);
         }
         for (columns, values) in update.knowns.iter().zip(knowns) {
             for (column, value) in columns.iter().zip(values) {
-                self.push_products(&mut terms, &column[row..=row], &[*value]);
+                push_products(b, &mut terms, &column[row..=row], &[*value]);
             }
         }
         if let Some(constant) = update.constant[row] {
-            terms.push(self.constant(constant));
+            terms.push(weights::constant(b, constant));
         }
         terms
     }
 
-    /// Keeps what the next call needs; gives z1.
+    /// Keeps what the next call needs; gives what stands for the outputs, and z1.
     fn store(
         &mut self,
-        sampled: &Sampled,
+        reading: &Reading,
         copies: &Copies,
         (starting, given): (Value, Option<given::Run>),
-    ) -> Vec<Value> {
+    ) -> (Vec<Value>, Vec<Value>) {
         self.builder.section("for the next call");
-        let gained = self.products(&self.design.gain, &sampled.outputs);
-        let mut first = Vec::new();
-        for (i, rest) in self.design.rest.iter().enumerate() {
-            let initial = round(&self.plant.states[*rest].initial, self.plant.scalar);
-            let initial = self.builder.float(initial);
-            let initial = given.map_or(initial, |run| self.builder.select(run.active, copies.carried[i], initial));
-            let z1 = self.builder.select(starting, initial, copies.after[0][i]);
-            let begin = self.builder.add(initial, gained[i]);
-            let z2 = self.builder.select(starting, begin, copies.after[1][i]);
-            self.builder.set(self.cells.first[i], z1);
-            self.builder.set(self.cells.second[i], z2);
-            first.push(z1);
+        let turned = self.after(reading, copies, (starting, given));
+        for i in 0..self.design.rest.len() {
+            self.builder.set(self.cells.first[i], turned.first[i]);
+            self.builder.set(self.cells.second[i], turned.second[i]);
         }
         let none = self.builder.index(0);
         let phase = self.builder.select(starting, none, copies.phase);
         self.builder.set(self.cells.phase, phase);
-        for (o, cells) in self.cells.outputs.clone().iter().enumerate() {
-            self.shift(cells, sampled.outputs[o]);
+        for (o, values) in turned.outputs.iter().enumerate() {
+            self.keep(o, values);
         }
-        for (s, cells) in self.cells.knowns.clone().iter().enumerate() {
-            self.shift(cells, sampled.knowns[s]);
+        let (b, sensors) = (&mut self.builder, &self.sensors);
+        for (kept, value) in sensors.values.iter().zip(&reading.signals) {
+            kept.write(b, None, *value);
         }
-        let calls = self.builder.read(self.cells.calls);
-        let calls = self.builder.count_up(calls, u32::MAX);
-        self.builder.set(self.cells.calls, calls);
+        sensors.count_call(b);
         if self.design.calls.every > 1 {
             let turn = self.builder.read(self.cells.turn);
             let turn = self.builder.advance(turn, cells::length(self.design.calls.every));
             self.builder.set(self.cells.turn, turn);
         }
-        first
+        (turned.outputs.iter().map(|ages| ages[0]).collect(), turned.first)
+    }
+
+    /// Both copies and the outputs as they are kept: carried on, reset, or starting.
+    fn after(&mut self, reading: &Reading, copies: &Copies, (starting, given): (Value, Option<given::Run>)) -> Turned {
+        let gained = products(&mut self.builder, &self.design.gain, &reading.outputs);
+        let (mut first, mut second) = (Vec::new(), Vec::new());
+        for (i, rest) in self.design.rest.iter().enumerate() {
+            let initial = round(&self.plant.states[*rest].initial, self.plant.scalar);
+            let initial = self.builder.float(initial);
+            let initial = given.map_or(initial, |run| self.builder.select(run.active, copies.carried[i], initial));
+            first.push(self.builder.select(starting, initial, copies.after[0][i]));
+            let begin = self.builder.add(initial, gained[i]);
+            second.push(self.builder.select(starting, begin, copies.after[1][i]));
+        }
+        let outputs = reading.outputs.iter().enumerate().map(|(o, now)| self.ages(o, *now)).collect();
+        self.turned_back(Turned { outputs, first, second })
     }
 
     /// The estimate, or the start before convergence; and what it is worth.
-    fn report(&mut self, sampled: &Sampled, first: &[Value], counted: &count::Counted) {
+    fn report(&mut self, reading: &Reading, (outputs, first): (&[Value], &[Value]), counted: &count::Counted) {
         self.builder.section("the estimate; until it has converged, the start");
-        let values: Vec<Value> = sampled.outputs.iter().chain(first).copied().collect();
-        let estimate = self.products(&self.design.back, &values);
+        let values: Vec<Value> = outputs.iter().chain(first).copied().collect();
+        let estimate = products(&mut self.builder, &self.design.back, &values);
         let mut answer = Vec::new();
         for (i, estimate) in estimate.iter().enumerate() {
-            let start = start(&mut self.builder, self.plant, i, &sampled.outputs);
+            let start = start(&mut self.builder, self.plant, i, outputs);
             answer.push(self.builder.select(counted.known, *estimate, start));
         }
         let moved = self.ahead.map(|ahead| {
-            let injections = Injections::new(self.plant, self.cells.calls, sampled.inputs.clone());
-            Moved { ahead, injections, outputs: &sampled.outputs }
+            let injections = self.sensors.injections(&reading.known.injections.inputs);
+            Moved { ahead, injections, outputs }
         });
         report::estimates(&mut self.builder, self.plant, answer, moved, "");
-        if let Some(coasted) = sampled.coasted {
+        if let Some(coasted) = reading.coasted {
             report::coasted(&mut self.builder, coasted);
         }
         report::status(&mut self.builder, counted.converged, counted.clean);

@@ -11,27 +11,31 @@
 //! what the first convergence left. A prediction outside the output's range starts the observer again, and so does a
 //! state beyond the floats' guard.
 //!
-//! **Turns, gates.** See `turn` and `gate`.
+//! **Turns.** See `turn`.
 //!
 //! **Sliding.** Under the sliding law an innovation that is not explained
 //! makes both counts begin again, and one wider than the output's range starts the observer again.
 
 mod gain;
-mod gates;
 mod given;
-mod known;
+mod predict;
 mod turn;
 
 use crate::diagnostic::Diagnostic;
 use crate::plant::Plant;
 use crate::program::builder::Builder;
 use crate::program::{CellId, Program, Value};
-use crate::sampled::settled::{Settled, round};
+use crate::sampled::Source;
+use crate::sampled::settled::round;
+use crate::sampled::weights::{constant, products};
 use crate::step::ahead::Ahead;
 use crate::step::guard::Guard;
-use crate::step::injections::Injections;
-use crate::step::report::{self, Moved, field, start};
-use crate::step::{coasting, front, gate, injections, inputs, rates};
+use crate::step::kept::Kept;
+use crate::step::known::Term;
+use crate::step::reading::Reading;
+use crate::step::report::{self, Moved, start};
+use crate::step::sensors::{self, Sensors};
+use crate::step::{front, gate, injections, inputs, rates};
 
 use super::{Corrector, Frame, Gain, guard};
 
@@ -43,14 +47,9 @@ pub fn lower(plant: &Plant, design: &Corrector, ahead: Option<&Ahead>) -> Result
     let guard = guard::bound(plant, design)?;
     injections::check(plant)?;
     let mut builder = Builder::new(&plant.name, plant.scalar, round(&plant.sample_time.0, plant.scalar));
-    let cells = Cells::declare(&mut builder, plant, design);
-    for output in &plant.outputs {
-        builder.measurement(front::measurement(output));
-    }
-    for input in &plant.inputs {
-        builder.input(field(&input.label.name, &input.label.unit, &input.label.doc));
-    }
-    let mut lowering = Lowering { plant, design, guard, builder, cells, ahead };
+    let (cells, sensors) = Cells::declare(&mut builder, plant, design, guard);
+    sensors::declare(&mut builder, plant);
+    let mut lowering = Lowering { plant, design, builder, cells, sensors, due: Vec::new(), ahead };
     lowering.step();
     lowering.init_at();
     Ok(lowering.builder.finish())
@@ -66,18 +65,6 @@ struct Cells {
     good: CellId,
     /// Good calls in a row, likewise.
     clean: CellId,
-    /// Per output: the last value that stood for a sample.
-    outputs: Vec<CellId>,
-    /// Per signal: its value at the last call.
-    signals: Vec<CellId>,
-    /// Per input: the last good value.
-    inputs: Vec<CellId>,
-    /// Calls since init.
-    calls: CellId,
-    /// Per output: samples rejected in a row, where they are looked at.
-    rejected: Vec<Option<CellId>>,
-    /// Calls since the newest accepted sample.
-    coasted: CellId,
     /// 1 from a start by an estimate until the first good call, where there is such a start.
     given: Option<CellId>,
     /// Calls since every output was due.
@@ -87,7 +74,7 @@ struct Cells {
 }
 
 impl Cells {
-    fn declare(b: &mut Builder, plant: &Plant, design: &Corrector) -> Self {
+    fn declare<'a>(b: &mut Builder, plant: &'a Plant, design: &Corrector, guard: Guard) -> (Self, Sensors<'a>) {
         let scaled = matches!(design.frame, Frame::Chain { .. });
         let initial = |i: usize| round(&plant.states[i].initial, plant.scalar);
         let state = (0..plant.states.len()).map(|i| {
@@ -103,24 +90,49 @@ impl Cells {
         let left = b.index_cell("left", "calls of the countdown that are left", lead);
         let good = b.index_cell("good", &format!("good calls, at most {}", design.valid + 1), 0);
         let clean = b.index_cell("clean", &format!("good calls in a row, at most {}", design.recovery), 0);
+        let counters = sensors::counters(b, plant);
         let outputs = plant.outputs.iter().enumerate().map(|(o, output)| {
             let name = &output.label.name;
             let initial = injections::initial_output(plant, o, plant.scalar);
-            b.float_cell(&format!("last_{name}"), &format!("the last {name}, measured or predicted"), initial)
+            Kept::Newest(b.float_cell(
+                &format!("last_{name}"),
+                &format!("the last {name}, measured or predicted"),
+                initial,
+            ))
         });
         let outputs = outputs.collect();
-        let signals = (0..design.signals.len()).map(|s| {
-            b.float_cell(&format!("last_known{s}"), &format!("{} of the last call", design.signals[s].text), 0.0)
+        let values = design.signals.iter().enumerate().map(|(s, signal)| {
+            let name = match signal.source {
+                Source::Input(_) => format!("last_{}", signal.text),
+                Source::Injection(_) => format!("last_known{s}"),
+            };
+            Kept::Newest(b.float_cell(&name, &format!("{} of the last call", signal.text), 0.0))
         });
-        let signals = signals.collect();
+        let values = values.collect();
         let inputs = inputs::cells(b, plant);
         let calls = b.index_cell("calls", "calls since init", 0);
         let rejected = gate::cells(b, plant);
-        let coasted = b.index_cell("coasted", "calls since the newest accepted sample", 0);
+        let coasted = plant.coasted.then(|| b.index_cell("coasted", "calls since the newest accepted sample", 0));
         let phase = b.index_cell("phase", "calls since every output was due", 0);
         let due = rates::cells(b, plant);
         let given = plant.init_at.then(|| b.index_cell("given", "1 from a given state until the first good call", 0));
-        Self { state, left, good, clean, outputs, signals, inputs, calls, rejected, coasted, given, phase, due }
+        let sensors = Sensors {
+            plant,
+            guard,
+            terms: design.signals.iter().map(Term::from).collect(),
+            newest: None,
+            counters,
+            outputs,
+            values,
+            inputs,
+            calls,
+            missed: Vec::new(),
+            rejected,
+            // As many as convergence takes, and one alone never.
+            patience: self::calls(design.valid).max(2),
+            coasted,
+        };
+        (Self { state, left, good, clean, given, phase, due }, sensors)
     }
 }
 
@@ -140,31 +152,26 @@ fn calls(count: usize) -> u32 {
 struct Lowering<'a> {
     plant: &'a Plant,
     design: &'a Corrector,
-    guard: Guard,
     builder: Builder,
     cells: Cells,
+    sensors: Sensors<'a>,
+    /// Per output that is not due at every call, whether it is due now.
+    due: Vec<Option<Value>>,
     /// How the answer is moved.
     ahead: Option<&'a Ahead>,
 }
 
 /// What is known of a call before it is corrected.
-struct Predicted {
-    /// Per output: the sample, or a prediction of it.
-    outputs: Vec<Value>,
-    /// Per output: whether there is a sample.
-    good: Vec<Value>,
-    /// Whether there is one of every output that is due.
+struct Predicted<'a> {
+    reading: Reading<'a>,
+    /// Whether there is a sample of every output that is due.
     measured: Value,
     /// Whether there is one of every output.
     complete: Value,
     /// Whether everything was good.
     fine: Value,
-    /// Whether a sample was rejected for the last time: the observer starts again with it.
-    jumped: Value,
     /// z-, n.
     state: Vec<Value>,
-    /// Per input: what was used.
-    inputs: Vec<Value>,
 }
 
 impl Lowering<'_> {
@@ -184,30 +191,6 @@ impl Lowering<'_> {
         self.report(&state, &predicted, counts);
     }
 
-    fn constant(&mut self, value: Settled) -> Value {
-        self.builder.float(value.value(self.plant.scalar))
-    }
-
-    /// Adds weights times values to the terms of a sum.
-    fn push_products(&mut self, terms: &mut Vec<Value>, weights: &[Option<Settled>], values: &[Value]) {
-        for (weight, value) in weights.iter().zip(values) {
-            if let Some(weight) = weight {
-                let weight = self.constant(*weight);
-                terms.push(self.builder.mul(weight, *value));
-            }
-        }
-    }
-
-    /// Weights times values.
-    fn products(&mut self, grid: &[Vec<Option<Settled>>], values: &[Value]) -> Vec<Value> {
-        let rows = grid.iter().map(|row| {
-            let mut terms = Vec::new();
-            self.push_products(&mut terms, row, values);
-            self.builder.sum(&terms)
-        });
-        rows.collect()
-    }
-
     /// y - C z-, within half a turn, and 0 where there is no sample; per output. And whether the state is not to be carried
     /// on: a missing sample is not to be predicted, the state turns too fast to be seen, or the samples have jumped.
     fn innovation(&mut self, predicted: &Predicted) -> (Vec<Value>, Value) {
@@ -215,12 +198,12 @@ impl Lowering<'_> {
         let lost = self.lost(predicted, &shown);
         let spun = self.spun(&shown);
         let lost = self.builder.or(lost, spun);
-        let lost = self.builder.or(lost, predicted.jumped);
+        let lost = predicted.reading.again.map_or(lost, |again| self.builder.or(lost, again));
         let none = self.builder.float(0.0);
         let each = shown.iter().enumerate().map(|(o, shown)| {
-            let difference = self.builder.sub(predicted.outputs[o], *shown);
+            let difference = self.builder.sub(predicted.reading.outputs[o], *shown);
             let difference = front::folded(&mut self.builder, &self.plant.outputs[o], difference, self.plant.scalar);
-            self.builder.select(predicted.good[o], difference, none)
+            self.builder.select(predicted.reading.good[o], difference, none)
         });
         (each.collect(), lost)
     }
@@ -234,7 +217,7 @@ impl Lowering<'_> {
     fn shown(&mut self, state: &[Value]) -> Vec<Value> {
         let design = self.design;
         match design.frame {
-            Frame::Plant { .. } => self.products(&design.output, state),
+            Frame::Plant { .. } => products(&mut self.builder, &design.output, state),
             Frame::Chain { .. } => vec![state[0]],
         }
     }
@@ -244,9 +227,9 @@ impl Lowering<'_> {
         let mut lost = self.builder.boolean(false);
         let ranges = self.plant.outputs.iter().map(|output| output.range.is_some()).collect::<Vec<_>>();
         for o in (0..ranges.len()).filter(|o| ranges[*o]) {
-            let (low, high) = self.guard.outputs[o];
+            let (low, high) = self.sensors.guard.outputs[o];
             let sane = self.builder.in_range(shown[o], low, high);
-            let covered = self.builder.or(predicted.good[o], sane);
+            let covered = self.builder.or(predicted.reading.good[o], sane);
             let astray = self.builder.not(covered);
             lost = self.builder.or(lost, astray);
         }
@@ -255,7 +238,7 @@ impl Lowering<'_> {
 
     /// Whether the observer has no state yet, or one that nothing reasonable leads to.
     fn starts_again(&mut self, innovation: &[Value], corrected: &[Value], lost: Value) -> Value {
-        let bound = self.guard.bound;
+        let bound = self.sensors.guard.bound;
         let none = self.builder.index(0);
         let good = self.builder.read(self.cells.good);
         let waiting = self.builder.index_equal(good, none);
@@ -278,7 +261,7 @@ impl Lowering<'_> {
     /// worse than none.
     fn farthest(&self) -> Option<f64> {
         let sliding = matches!(self.design.gain, Gain::Sliding { .. }) && self.plant.outputs[0].range.is_some();
-        let (low, high) = self.guard.outputs[0];
+        let (low, high) = self.sensors.guard.outputs[0];
         sliding.then(|| self.plant.scalar_value(high - low))
     }
 
@@ -289,7 +272,7 @@ impl Lowering<'_> {
         corrected: &[Value],
         (again, left): (Value, Option<Value>),
     ) -> Vec<Value> {
-        let (starts, rests) = (self.starts(&predicted.outputs), self.rests());
+        let (starts, rests) = (self.starts(&predicted.reading.outputs), self.rests());
         let mut state = Vec::new();
         for (i, value) in corrected.iter().enumerate() {
             let start = self.builder.select(predicted.complete, starts[i], rests[i]);
@@ -332,10 +315,7 @@ impl Lowering<'_> {
         let all = self.builder.index(recovered);
         let clean = self.builder.select(again, all, clean);
         self.builder.set(self.cells.clean, clean);
-        let calls = self.builder.read(self.cells.calls);
-        let calls = self.builder.count_up(calls, u32::MAX);
-        self.builder.set(self.cells.calls, calls);
-        coasting::count(&mut self.builder, self.cells.coasted, &predicted.good);
+        self.sensors.count_call(&mut self.builder);
         self.has_begun(predicted, again);
         [good, clean]
     }
@@ -354,7 +334,7 @@ impl Lowering<'_> {
     fn rests(&mut self) -> Vec<Value> {
         let design = self.design;
         if let Frame::Chain { start, .. } = &design.frame {
-            return start.iter().map(|entry| self.constant(entry.unwrap_or_default())).collect();
+            return start.iter().map(|entry| constant(&mut self.builder, entry.unwrap_or_default())).collect();
         }
         let initial = self.plant.states.iter().map(|state| round(&state.initial, self.plant.scalar));
         initial.collect::<Vec<_>>().into_iter().map(|value| self.builder.float(value)).collect()
@@ -366,15 +346,14 @@ impl Lowering<'_> {
         let design = self.design;
         let estimate = match &design.frame {
             Frame::Plant { .. } => state.to_vec(),
-            Frame::Chain { readout, .. } => self.products(readout, state),
+            Frame::Chain { readout, .. } => products(&mut self.builder, readout, state),
         };
         let moved = self.ahead.map(|ahead| {
-            let injections = Injections::new(self.plant, self.cells.calls, predicted.inputs.clone());
-            Moved { ahead, injections, outputs: &predicted.outputs }
+            let injections = self.sensors.injections(&predicted.reading.known.injections.inputs);
+            Moved { ahead, injections, outputs: &predicted.reading.outputs }
         });
         report::estimates(&mut self.builder, self.plant, estimate, moved, "");
-        if self.plant.coasted {
-            let coasted = self.builder.read(self.cells.coasted);
+        if let Some(coasted) = predicted.reading.coasted {
             report::coasted(&mut self.builder, coasted);
         }
         let [enough, recovered] = [design.valid, design.recovery - 1].map(|count| self.builder.index(calls(count)));

@@ -10,8 +10,6 @@
 pub(crate) mod cells;
 mod copies;
 mod count;
-mod further;
-mod gate;
 pub(crate) mod given;
 pub(crate) mod guard;
 mod irregular;
@@ -33,12 +31,13 @@ use crate::program::{Program, Value};
 use crate::sampled::carry::Carry;
 use crate::sampled::settled::{Settled, round};
 use crate::step::ahead::Ahead;
-use crate::step::front::measurement;
-use crate::step::report::field;
 
 use super::{Functional, Way};
+use crate::sampled::weights::constant;
 use crate::step::guard::Guard;
 use crate::step::injections;
+use crate::step::reading::Reading;
+use crate::step::sensors::{self, Sensors};
 use cells::Cells;
 use count::settled;
 use given::Given;
@@ -46,6 +45,7 @@ use guard::Growth;
 use predict::Unknowns;
 pub(crate) use report::Standing;
 use sums::Anchor;
+use there::There;
 
 /// Lowers a functional for its plant; constants that the target's floats cannot hold are reported.
 pub fn lower(plant: &Plant, functional: &Functional, ahead: Option<&Ahead>) -> Result<Program, Vec<Diagnostic>> {
@@ -61,8 +61,9 @@ pub fn lower(plant: &Plant, functional: &Functional, ahead: Option<&Ahead>) -> R
     Ok(lowering.builder.finish())
 }
 
-/// What the first half of a step finds out.
-pub(crate) struct Sampled {
+/// What a call brought, and what it is worth to the window.
+pub(crate) struct Sampled<'a> {
+    pub(crate) reading: Reading<'a>,
     /// Slot of age 0.
     pub(crate) newest: Value,
     /// Whether everything sampled now was good.
@@ -73,35 +74,17 @@ pub(crate) struct Sampled {
     newest_good: Value,
     /// Late outputs, and whether they were good.
     late: Vec<(usize, Value)>,
-    /// Whether a missing sample had no prediction.
-    lost: Value,
-    /// Whether so many samples were not believed that the window starts again with those of now; where that can be.
-    again: Option<Value>,
-    /// Per output: what enters the window.
-    outputs: Vec<Value>,
-    /// Per output, where it is kept as a count: that.
-    counts: Vec<Option<Value>>,
-    /// Per signal: what enters the window.
-    signals: Vec<Value>,
-    /// Per input: what was used.
-    inputs: Vec<Value>,
-    /// Per output, where the estimate is of the samples that are there: 1 for a sample, 0 for none.
-    present: Vec<Value>,
-    /// Likewise: the slot of the time that a sample shows.
-    slots: Vec<Value>,
-    /// Calls since a sample was accepted, where that is asked for.
-    coasted: Option<Value>,
-    /// Per output whose samples come with their ages: this one's, over the oldest.
-    ages: Vec<Option<Value>>,
+    /// Where the estimate is of the samples that are there: where they stand.
+    there: There,
 }
 
 /// A step being written.
 pub(crate) struct Lowering<'a> {
     pub(crate) plant: &'a Plant,
     functional: &'a Functional,
-    pub(crate) guard: Guard,
     pub(crate) builder: Builder,
     pub(crate) cells: Cells,
+    pub(crate) sensors: Sensors<'a>,
     /// Unknown constants that the step finds by a regression of its own.
     pub(crate) unknowns: Option<Unknowns>,
     /// Whether the window holds a replaced sample, where copies keep that themselves: 1 or 0.
@@ -116,22 +99,14 @@ impl<'a> Lowering<'a> {
     /// Declares the interface and the cells.
     pub(crate) fn new(plant: &'a Plant, functional: &'a Functional, guard: Guard) -> Self {
         let mut builder = Builder::new(&plant.name, plant.scalar, round(&plant.sample_time.0, plant.scalar));
-        let cells = cells::declare(&mut builder, plant, functional);
-        for output in &plant.outputs {
-            builder.measurement(measurement(output));
-        }
-        for output in plant.outputs.iter().filter(|output| output.aged.is_some()) {
-            builder.measurement(field(&format!("{}_age", output.label.name), "s", "how old the sample is"));
-        }
-        for input in &plant.inputs {
-            builder.input(field(&input.label.name, &input.label.unit, &input.label.doc));
-        }
-        Self { plant, functional, guard, builder, cells, unknowns: None, replaced: None, ahead: None, given: None }
+        let (cells, sensors) = cells::declare(&mut builder, plant, functional, guard);
+        sensors::declare(&mut builder, plant);
+        Self { plant, functional, builder, cells, sensors, unknowns: None, replaced: None, ahead: None, given: None }
     }
 
     /// A constant of the design.
     pub(crate) fn constant(&mut self, value: Settled) -> Value {
-        self.builder.float(value.value(self.plant.scalar))
+        constant(&mut self.builder, value)
     }
 
     fn step(&mut self) {
@@ -178,8 +153,9 @@ impl<'a> Lowering<'a> {
 
     /// The estimate of each state by one sum over a window.
     fn summed(&mut self, functional: &Functional, sampled: &Sampled) -> Vec<Value> {
-        let kept = (self.cells.outputs.as_slice(), self.cells.signals.as_slice());
-        let newest = sampled.outputs.iter().zip(&sampled.counts).map(|(value, count)| count.unwrap_or(*value));
+        let kept = (self.sensors.outputs.as_slice(), self.sensors.values.as_slice());
+        let newest =
+            sampled.reading.outputs.iter().zip(&sampled.reading.counts).map(|(value, count)| count.unwrap_or(*value));
         let anchors: Vec<Option<Anchor>> = (self.plant.outputs.iter().zip(newest))
             .map(|(output, newest)| {
                 let turn = round(&output.wrap.as_ref()?.turn, self.plant.scalar);
@@ -191,9 +167,9 @@ impl<'a> Lowering<'a> {
     }
 
     /// The estimate from its sums: with the newest samples of outputs that wrap, each in the direction of its turn.
-    fn at_the_newest(&mut self, estimate: &[Value], sampled: &Sampled) -> Vec<Value> {
+    pub(crate) fn at_the_newest(&mut self, estimate: &[Value], sampled: &Sampled) -> Vec<Value> {
         let mut moved = estimate.to_vec();
-        for (output, newest) in self.plant.outputs.iter().zip(&sampled.outputs) {
+        for (output, newest) in self.plant.outputs.iter().zip(&sampled.reading.outputs) {
             let Some(wrap) = &output.wrap else { continue };
             for (value, direction) in moved.iter_mut().zip(&wrap.direction).filter(|(_, s)| !s.is_zero()) {
                 let direction = self.builder.float(round(direction, self.plant.scalar));
@@ -228,17 +204,18 @@ impl<'a> Lowering<'a> {
     pub(crate) fn store(&mut self, sampled: &Sampled) {
         self.builder.section("into the window");
         self.builder.set(self.cells.newest, sampled.newest);
-        let kept = self.cells.outputs.iter().zip(&sampled.outputs).zip(&sampled.counts);
+        let reading = &sampled.reading;
+        let kept = self.sensors.outputs.iter().zip(&reading.outputs).zip(&reading.counts);
         for (o, ((kept, value), count)) in kept.enumerate() {
-            let slot = sampled.slots.get(o).copied().unwrap_or(sampled.newest);
-            kept.write(&mut self.builder, slot, count.unwrap_or(*value));
+            let slot = sampled.there.slots.get(o).copied().unwrap_or(sampled.newest);
+            kept.write(&mut self.builder, Some(slot), count.unwrap_or(*value));
             if slot != sampled.newest && self.plant.outputs[o].wrap.is_some() {
                 // Until the sample of now comes, nothing has moved.
-                kept.write(&mut self.builder, sampled.newest, *value);
+                kept.write(&mut self.builder, Some(sampled.newest), *value);
             }
         }
         let present = self.cells.memory.as_ref().map(|memory| memory.present.as_slice()).unwrap_or_default();
-        for ((ring, value), slot) in present.iter().zip(&sampled.present).zip(&sampled.slots) {
+        for ((ring, value), slot) in present.iter().zip(&sampled.there.present).zip(&sampled.there.slots) {
             if *slot != sampled.newest {
                 // The sample of now comes later.
                 let none = self.builder.float(0.0);
@@ -247,17 +224,15 @@ impl<'a> Lowering<'a> {
             self.builder.set_ring(*ring, *slot, *value);
         }
         let ages = self.cells.memory.as_ref().map(|memory| memory.ages.as_slice()).unwrap_or_default();
-        for (ring, age) in ages.iter().zip(&sampled.ages) {
+        for (ring, age) in ages.iter().zip(&sampled.there.ages) {
             if let (Some(ring), Some(age)) = (ring, age) {
                 self.builder.set_ring(*ring, sampled.newest, *age);
             }
         }
-        for (kept, value) in self.cells.signals.iter().zip(&sampled.signals) {
-            kept.write(&mut self.builder, sampled.newest, *value);
+        for (kept, value) in self.sensors.values.iter().zip(&reading.signals) {
+            kept.write(&mut self.builder, Some(sampled.newest), *value);
         }
-        let calls = self.builder.read(self.cells.calls);
-        let calls = self.builder.count_up(calls, u32::MAX);
-        self.builder.set(self.cells.calls, calls);
+        self.sensors.count_call(&mut self.builder);
     }
 }
 

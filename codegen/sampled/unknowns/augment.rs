@@ -32,6 +32,9 @@ pub fn augmented(mut plant: Plant) -> Plant {
     plant.offset.resize_with(all, zero);
     plant.injections.iter_mut().for_each(|injection| injection.column.resize_with(all, zero));
     plant.disturbances.iter_mut().for_each(|disturbance| disturbance.column.resize_with(all, zero));
+    // A turn moves no unknown.
+    let turns = plant.outputs.iter_mut().flat_map(|output| &mut output.wrap);
+    turns.for_each(|wrap| wrap.direction.resize_with(all, zero));
     plant
 }
 
@@ -58,6 +61,8 @@ pub fn without(plant: &Plant, unknowns: &[usize]) -> Plant {
     let pick = |row: &Vec<Constant>| -> Vec<Constant> { kept.iter().map(|j| row[*j].clone()).collect() };
     let mut rest = plant.clone();
     rest.states = kept.iter().map(|j| plant.states[*j].clone()).collect();
+    let turns = rest.outputs.iter_mut().flat_map(|output| &mut output.wrap);
+    turns.for_each(|wrap| wrap.direction = pick(&wrap.direction));
     rest.a = kept.iter().map(|i| pick(&plant.a[*i])).collect();
     rest.b = kept.iter().map(|i| plant.b[*i].clone()).collect();
     rest.c = plant.c.iter().map(pick).collect();

@@ -285,17 +285,23 @@ fn a_counter_that_rounds_down() {
     }
 }
 
-/// Thirty-two bits at their far end, in single precision, with a turn of 4096 counts: the angle is that of the count.
+/// Thirty-two bits at their far end, in single precision, with turns that divide their range and that do not: the angle
+/// is that of the count.
 #[test]
 fn a_large_count_has_its_angle() {
-    let text = edited(&counter(), "quantum = 1e-6", "quantum = '2*pi/4096', wrap = '2*pi'");
+    [4_096.0, 2_156.0, 40_000.0].into_iter().for_each(large_count);
+}
+
+fn large_count(turn: f64) {
+    let count = TAU / turn;
+    let text = edited(&counter(), "quantum = 1e-6", &format!("quantum = '2*pi/{turn}', wrap = '2*pi'"));
     let generated = designed_in(&text, Scalar::F32);
     let start = (1 << 30) + 1_234;
     let answers = fed(&generated, (0..200).map(|k| shown(start + counts(k) / 8, "i32")));
     for (k, (x, _)) in answers.iter().enumerate().skip(generated.design.window_steps) {
-        let angle = (start + counts(k) / 8) as f64 * TAU / 4_096.0;
+        let angle = (start + counts(k) / 8) as f64 * count;
         // The fit is off by what three integrators leave of the motion, a few counts; single precision of the count
         // itself would be off by 64 of them.
-        assert!(folded(x[0] - angle).abs() < 10.0 * TAU / 4_096.0, "call {k}: {} {angle}", x[0]);
+        assert!(folded(x[0] - angle).abs() < 10.0 * count, "call {k}: {} {angle}", x[0]);
     }
 }

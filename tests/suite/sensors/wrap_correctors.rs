@@ -253,3 +253,49 @@ fn counters_are_angles() {
         }
     }
 }
+
+/// Turns that no counter's range is a multiple of, in single precision: wherever the counter stands, also across its
+/// overflow, the estimates have the same bits; and their angle is that of the counts to within a count, of which single
+/// precision of the counts themselves would lose a hundred.
+#[test]
+fn counters_of_any_turn() {
+    let signals = SIGNALS.map(signal);
+    let plants = [PLANTS[0], PLANTS[1], PLANTS[5]].map(pendulum);
+    for text in signals.iter().chain(&plants) {
+        for (turn, sample) in [(2_156, "i32"), (10_000, "u32"), (40_000, "i32"), (2_156, "u16"), (10_000, "i16")] {
+            let sensor = format!("wrap = '2*pi', quantum = '2*pi/{turn}'");
+            let counted = edited(text, "wrap = '2*pi'", &format!("{sensor}, sample = '{sample}'"));
+            let generated = designed_in(&counted, Scalar::F32);
+            let count = TAU / f64::from(turn);
+            let counts: Vec<i64> = swing().iter().take(900).map(|q| (q / count).round() as i64).collect();
+            let from = |start: i64| through(&generated, counts.iter().map(|n| shown(n + start, sample)));
+            // Never below zero at the first sample, and a whole number of turns each.
+            let turns = |start: i64| start - start.rem_euclid(i64::from(turn));
+            let near = turns(60_000_i64.min(1 << 15));
+            let reference = from(near);
+            let range = if sample.ends_with("32") { 1_i64 << 32 } else { 1 << 16 };
+            let overflow = if sample.starts_with('u') { range } else { range / 2 };
+            for start in [turns(overflow - 1), turns(range / 4)] {
+                let same = from(start);
+                assert!(same == reference, "{counted}\nfrom {start}");
+            }
+            let plain = designed_in(&edited(text, "wrap = '2*pi'", &sensor), Scalar::F64);
+            let angles = through(&plain, counts.iter().map(|n| folded(*n as f64 * count)));
+            for (k, ((x, status), (expected, _))) in reference.iter().zip(&angles).enumerate() {
+                let off = folded(x[0] - expected[0]).abs();
+                assert!(*status != Status::Converged || off <= count, "{counted}\ncall {k}: {off:e} of {count:e}");
+            }
+        }
+    }
+}
+
+/// What a counter of so many bits shows, as a number.
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "that is what counters do")]
+fn shown(count: i64, sample: &str) -> f64 {
+    match sample {
+        "i16" => f64::from(count as i16),
+        "u16" => f64::from(count as u16),
+        "i32" => f64::from(count as i32),
+        _ => f64::from(count as u32),
+    }
+}

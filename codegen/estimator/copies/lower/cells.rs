@@ -3,25 +3,25 @@
 use crate::plant::Plant;
 use crate::program::CellId;
 use crate::program::builder::Builder;
+use crate::sampled::Source;
 use crate::sampled::settled::round;
 use crate::step::cells::{bracketed, identifier};
 use crate::step::given::Running;
-use crate::step::{injections, inputs};
+use crate::step::guard::Guard;
+use crate::step::kept::Kept;
+use crate::step::known::Term;
+use crate::step::sensors::{Sensors, counters};
+use crate::step::{gate, injections, inputs};
 
 use super::super::Impulsive;
+use super::super::known::{Known, Run};
 
-/// The cells; those that nothing reads are left out of the Program.
+/// The cells of the copies; those that nothing reads are left out of the Program.
 pub(super) struct Cells {
     /// z1.
     pub(super) first: Vec<CellId>,
     /// z2.
     pub(super) second: Vec<CellId>,
-    /// Per output: its values one, two, three calls ago.
-    pub(super) outputs: Vec<Vec<CellId>>,
-    /// Per known: its values likewise.
-    pub(super) knowns: Vec<Vec<CellId>>,
-    /// Per input: the last good value.
-    pub(super) inputs: Vec<CellId>,
     /// Calls since the start or the last reset.
     pub(super) phase: CellId,
     /// Good calls since the start, up to convergence.
@@ -30,20 +30,11 @@ pub(super) struct Cells {
     pub(super) clean: CellId,
     /// 1 from a bad call until a period was good.
     pub(super) coasting: CellId,
-    /// Per output, where there are several: calls missing in a row.
-    pub(super) missed: Vec<CellId>,
     /// Calls since the last measured one.
     pub(super) turn: CellId,
-    /// Calls since init.
-    pub(super) calls: CellId,
     /// 1 from a given state until convergence, 2 if it was vouched for; where there is such a start.
     pub(super) given: Option<Running>,
-    /// Calls since the newest accepted sample, where the estimate says so.
-    pub(super) coasted: Option<CellId>,
 }
-
-/// Values of each signal that are kept; as many as a third-order polynomial needs.
-pub(super) const KEPT: usize = 3;
 
 /// A number of calls as an index.
 pub(super) fn length(calls: usize) -> u32 {
@@ -66,7 +57,12 @@ pub(super) fn clean_count(design: &Impulsive) -> u32 {
     if design.calls.every > 1 { full_count(design) } else { period_count(design) }
 }
 
-pub(super) fn declare(builder: &mut Builder, plant: &Plant, design: &Impulsive) -> Cells {
+pub(super) fn declare<'a>(
+    builder: &mut Builder,
+    plant: &'a Plant,
+    design: &Impulsive,
+    guard: Guard,
+) -> (Cells, Sensors<'a>) {
     let mut first = Vec::new();
     let mut second = Vec::new();
     for place in &design.rest {
@@ -81,20 +77,21 @@ pub(super) fn declare(builder: &mut Builder, plant: &Plant, design: &Impulsive) 
             initial,
         ));
     }
-    let mut kept = |name: &str, text: &str, unit: &str, init: f64| -> Vec<CellId> {
-        let ago = |calls: usize| if calls == 1 { "a call".to_owned() } else { format!("{calls} calls") };
-        (1..=KEPT)
-            .map(|calls| {
-                builder.float_cell(&format!("{name}_{calls}"), &format!("{text} {} ago{unit}", ago(calls)), init)
-            })
-            .collect()
+    let counters = counters(builder, plant);
+    let mut kept = |name: &str, text: &str, unit: &str, init: f64| {
+        let ago = ["a call", "2 calls", "3 calls"];
+        let mut calls = 0;
+        Kept::Ages(ago.map(|ago| {
+            calls += 1;
+            builder.float_cell(&format!("{name}_{calls}"), &format!("{text} {ago} ago{unit}"), init)
+        }))
     };
     let outputs = plant.outputs.iter().enumerate().map(|(o, output)| {
         let (name, unit) = (&output.label.name, bracketed(&output.label.unit));
         kept(name, name, &unit, injections::initial_output(plant, o, plant.scalar))
     });
     let outputs = outputs.collect();
-    let knowns = design.knowns.iter().map(|known| kept(&identifier(&known.text), &known.text, "", 0.0)).collect();
+    let values = design.knowns.iter().map(|known| kept(&identifier(&known.text), &known.text, "", 0.0)).collect();
     let inputs = inputs::cells(builder, plant);
     let phase = builder.index_cell("phase", "calls since the start or the last reset", 0);
     let most = full_count(design);
@@ -105,7 +102,8 @@ pub(super) fn declare(builder: &mut Builder, plant: &Plant, design: &Impulsive) 
     let several = if plant.outputs.len() > 1 { plant.outputs.as_slice() } else { &[] };
     let missed = several.iter().map(|output| {
         let name = &output.label.name;
-        builder.index_cell(&format!("missed_{name}"), &format!("calls without {name} in a row, at most a period"), 0)
+        let doc = format!("calls without {name} in a row, at most a period");
+        (builder.index_cell(&format!("missed_{name}"), &doc, 0), period_count(design))
     });
     let missed = missed.collect();
     let turn = builder.index_cell("turn", "calls since the last one that is measured", 0);
@@ -113,5 +111,34 @@ pub(super) fn declare(builder: &mut Builder, plant: &Plant, design: &Impulsive) 
     let doc = "1 from a given state until convergence, 2 if that was vouched for";
     let given = plant.init_at.then(|| Running::declare(builder, doc));
     let coasted = plant.coasted.then(|| builder.index_cell("since", "calls since a sample was accepted", 0));
-    Cells { first, second, outputs, knowns, inputs, phase, count, clean, coasting, missed, turn, calls, given, coasted }
+    let terms = design.knowns.iter().map(|known| term(plant, known)).collect();
+    let rejected = gate::cells(builder, plant);
+    let patience = period_count(design);
+    let sensors = Sensors {
+        plant,
+        guard,
+        terms,
+        newest: None,
+        counters,
+        outputs,
+        values,
+        inputs,
+        calls,
+        missed,
+        rejected,
+        patience,
+        coasted,
+    };
+    (Cells { first, second, phase, count, clean, coasting, turn, given }, sensors)
+}
+
+/// What is known, as a reading has it.
+fn term(plant: &Plant, known: &Known) -> Term {
+    Term {
+        source: known.source,
+        ago: length(known.ago),
+        needs_samples: known.needs_samples(plant),
+        of_sample: !known.jumps && known.run != Run::Held,
+        ramps: matches!((known.source, known.run), (Source::Input(_), Run::Straight)),
+    }
 }

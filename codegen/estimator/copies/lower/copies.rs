@@ -1,38 +1,31 @@
 //! Carries both copies over one call, and resets them when a period is full.
 
-use crate::program::{CellId, Value};
+use crate::program::Value;
+use crate::sampled::weights::products;
+use crate::step::kept::AGES;
+use crate::step::reading::Reading;
 
 use super::cells::length;
-use super::{Copies, Lowering, Sampled};
+use super::{Copies, Lowering};
 
 impl Lowering<'_> {
-    /// Values by age from this call on: what is known now, then what the cells keep.
-    pub(super) fn by_age(&mut self, now: Value, kept: &[CellId]) -> Vec<Value> {
-        let kept = kept.iter().map(|cell| self.builder.read(*cell));
-        std::iter::once(now).chain(kept).collect()
-    }
-
-    /// Moves values on by one call.
-    pub(super) fn shift(&mut self, kept: &[CellId], now: Value) {
-        let values = self.by_age(now, kept);
-        for (cell, value) in kept.iter().zip(values) {
-            self.builder.set(*cell, value);
-        }
+    /// Values of a term by age, from this call on. An input that runs straight has been what it is before the first.
+    pub(super) fn by_age(&mut self, s: usize, now: Value) -> Vec<Value> {
+        let (sensors, b) = (&self.sensors, &mut self.builder);
+        let mut values = sensors.values[s].by_age(b, now);
+        values[1] = sensors.begun(b, s, now);
+        values
     }
 
     /// z1 and z2 of this call.
-    pub(super) fn carry(&mut self, sampled: &Sampled) -> Copies {
+    pub(super) fn carry(&mut self, reading: &Reading) -> Copies {
         self.builder.section("both copies, one call on");
-        // Per age: the outputs; per known: its ages.
-        let outputs: Vec<Vec<Value>> = (self.cells.outputs.clone().iter().zip(&sampled.outputs))
-            .map(|(kept, now)| self.by_age(*now, kept))
-            .collect();
+        let b = &mut self.builder;
+        let by_age: Vec<Vec<Value>> =
+            self.sensors.outputs.iter().zip(&reading.outputs).map(|(kept, now)| kept.by_age(b, *now)).collect();
         let outputs: Vec<Vec<Value>> =
-            (0..=super::cells::KEPT).map(|age| outputs.iter().map(|ages| ages[age]).collect()).collect();
-        let knowns: Vec<Vec<Value>> = (self.cells.knowns.clone().iter().zip(&sampled.knowns))
-            .enumerate()
-            .map(|(s, (kept, now))| self.known_by_age(s, *now, kept))
-            .collect();
+            (0..=AGES as usize).map(|age| by_age.iter().map(|ages| ages[age]).collect()).collect();
+        let knowns: Vec<Vec<Value>> = reading.signals.iter().enumerate().map(|(s, now)| self.by_age(s, *now)).collect();
         let design = self.design;
         let mut carried = [Vec::new(), Vec::new()];
         let both = [(&design.first, self.cells.first.clone()), (&design.second, self.cells.second.clone())];
@@ -43,22 +36,22 @@ impl Lowering<'_> {
                 carried.push(self.builder.sum(&terms));
             }
         }
-        self.reset(sampled, carried)
+        self.reset(reading, carried)
     }
 
-    fn reset(&mut self, sampled: &Sampled, [first, second]: [Vec<Value>; 2]) -> Copies {
+    fn reset(&mut self, reading: &Reading, [first, second]: [Vec<Value>; 2]) -> Copies {
         self.builder.section("the reset, when a period is full");
         let before = self.builder.read(self.cells.phase);
         let phase = self.builder.advance(before, length(self.design.calls.period));
         let none = self.builder.index(0);
         let full = self.builder.index_equal(phase, none);
-        let gained = self.products(&self.design.gain, &sampled.outputs);
+        let gained = products(&mut self.builder, &self.design.gain, &reading.outputs);
         let mut difference = Vec::new();
         for i in 0..first.len() {
             let second = self.builder.sub(second[i], gained[i]);
             difference.push(self.builder.sub(first[i], second));
         }
-        let correction = self.products(&self.design.reset, &difference);
+        let correction = products(&mut self.builder, &self.design.reset, &difference);
         let mut after = [Vec::new(), Vec::new()];
         let mut sane = self.builder.boolean(true);
         for i in 0..first.len() {

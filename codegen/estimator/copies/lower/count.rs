@@ -1,9 +1,11 @@
 //! How many calls were good: when the observer starts, has converged, and coasts.
 
 use crate::program::Value;
+use crate::step::logic::all;
+use crate::step::reading::Reading;
 
 use super::cells::{clean_count, full_count, length};
-use super::{Copies, Lowering, Sampled};
+use super::{Copies, Lowering};
 
 /// What the counts say of this call.
 pub(super) struct Counted {
@@ -25,27 +27,36 @@ impl Lowering<'_> {
         self.builder.index_less(below, count)
     }
 
-    pub(super) fn count(&mut self, sampled: &Sampled, copies: &Copies) -> Counted {
+    pub(super) fn count(&mut self, reading: &Reading, copies: &Copies) -> Counted {
+        let good = [self.samples_good(reading), all(&mut self.builder, &reading.known.of_interval())];
+        let [samples_good, interval_good] = good;
         self.builder.section("how much of the period is good");
-        let converged = self.was_converged();
-        let lost = self.builder.or(sampled.lost, copies.wild);
+        let mut converged = self.was_converged();
+        let mut interval_good = interval_good;
+        if let Some(again) = reading.again {
+            let goes_on = self.builder.not(again);
+            converged = self.builder.and(converged, goes_on);
+            interval_good = self.builder.and(interval_good, goes_on);
+        }
+        let lost = self.builder.or(reading.lost, copies.wild);
         let (none, one) = (self.builder.index(0), self.builder.index(1));
 
         let before = self.builder.read(self.cells.count);
         let more = self.builder.count_up(before, full_count(self.design));
+        let due = self.due();
         // The copies start at a sample, with nothing of the interval before it.
-        let first = self.builder.select(sampled.due, one, none);
+        let first = self.builder.select(due, one, none);
         let waiting = self.builder.index_equal(before, none);
-        let interval_lost = self.builder.not(sampled.interval_good);
+        let interval_lost = self.builder.not(interval_good);
         let begins = self.builder.or(waiting, interval_lost);
         let growing = self.builder.select(begins, first, more);
-        let unbroken = self.builder.or(converged, sampled.samples_good);
+        let unbroken = self.builder.or(converged, samples_good);
         let kept = self.builder.select(converged, more, growing);
         let kept = self.builder.select(unbroken, kept, none);
         let count = self.builder.select(lost, none, kept);
         self.builder.set(self.cells.count, count);
 
-        let clean = self.clean(sampled, copies);
+        let clean = self.clean([samples_good, interval_good], copies);
         let last_start = self.builder.index(length(self.design.calls.warm_up + 2));
         let starting = self.builder.index_less(count, last_start);
         let below = self.builder.index(full_count(self.design) - 1);
@@ -54,16 +65,16 @@ impl Lowering<'_> {
     }
 
     /// Whether no replaced sample is in the estimate.
-    fn clean(&mut self, sampled: &Sampled, copies: &Copies) -> Value {
+    fn clean(&mut self, [samples_good, interval_good]: [Value; 2], copies: &Copies) -> Value {
         let (none, one) = (self.builder.index(0), self.builder.index(1));
         let before = self.builder.read(self.cells.clean);
         let whole = clean_count(self.design);
         let more = self.builder.count_up(before, whole);
-        let since = self.builder.select(sampled.interval_good, more, one);
-        let clean = self.builder.select(sampled.samples_good, since, none);
+        let since = self.builder.select(interval_good, more, one);
+        let clean = self.builder.select(samples_good, since, none);
         self.builder.set(self.cells.clean, clean);
 
-        let good = self.builder.and(sampled.samples_good, sampled.interval_good);
+        let good = self.builder.and(samples_good, interval_good);
         let below = self.builder.index(whole - 1);
         let enough = self.builder.index_less(below, clean);
         let renewed = self.builder.and(copies.full, enough);

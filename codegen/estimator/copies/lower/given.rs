@@ -4,13 +4,12 @@
 //! The given state is of the call before the first. At the first good sample the copies start, z1 at what it has become,
 //! so that both have the same error and a reset takes it away as ever.
 
-use crate::estimator::copies::known::Run as Between;
-use crate::program::{CellId, Value};
-use crate::sampled::Source;
+use crate::program::Value;
 use crate::step::given;
+use crate::step::reading::Reading;
 
 use super::count::Counted;
-use super::{Copies, Lowering, Sampled};
+use super::{Copies, Lowering};
 
 /// The first copy's run from a given state.
 #[derive(Clone, Copy)]
@@ -30,11 +29,13 @@ impl Lowering<'_> {
     }
 
     /// Whether the run goes on; keeps that for the next call.
-    pub(super) fn runs_given(&mut self, sampled: &Sampled, copies: &Copies, counted: &Counted) -> Option<Run> {
+    pub(super) fn runs_given(&mut self, reading: &Reading, copies: &Copies, counted: &Counted) -> Option<Run> {
         let cell = self.cells.given?;
         let b = &mut self.builder;
         let mut active = cell.active(b);
-        for over in [sampled.lost, copies.wild, counted.converged] {
+        for over in
+            [Some(reading.lost), reading.again, Some(copies.wild), Some(counted.converged)].into_iter().flatten()
+        {
             let goes_on = b.not(over);
             active = b.and(active, goes_on);
         }
@@ -56,52 +57,19 @@ impl Lowering<'_> {
         Counted { converged, known, ..counted }
     }
 
-    /// Values of a known by age. An input that runs straight is taken to have been what it is at the first call, before
-    /// which nothing is known of it.
-    pub(super) fn known_by_age(&mut self, s: usize, now: Value, kept: &[CellId]) -> Vec<Value> {
-        let mut values = self.by_age(now, kept);
-        let known = &self.design.knowns[s];
-        if self.cells.given.is_some() && matches!((known.source, known.run), (Source::Input(_), Between::Straight)) {
-            for value in &mut values[1..] {
-                *value = given::begun(&mut self.builder, self.cells.calls, now, *value);
-            }
-        }
-        values
-    }
-
     /// Writes the start from a given state, where there is one.
     pub(super) fn init_at(&mut self) {
         let Some(running) = self.cells.given else { return };
-        let Self { plant, design, bounds, builder, cells, .. } = self;
-        let (plant, bound) = (*plant, bounds.guard.bound);
+        let Self { design, bounds, builder, cells, sensors, .. } = self;
         builder.init_at(|b| {
             b.section("the given state");
-            let (state, vouched) = given::state(b, plant, bound);
+            let (state, vouched) = given::state(b, sensors.plant, sensors.guard.bound);
             for ((cell, place), limit) in cells.first.iter().zip(&design.rest).zip(&bounds.limits) {
                 let value = given::within(b, state[*place], *limit);
                 b.set(*cell, value);
             }
             running.begin(b, vouched);
-            b.section("what it shows, and what that makes of the nonlinear terms");
-            let mut outputs = Vec::new();
-            for ((o, range), kept) in bounds.guard.outputs.iter().enumerate().zip(&cells.outputs) {
-                let shown = given::shown(b, plant, &state, o, *range);
-                for cell in kept {
-                    b.set(*cell, shown);
-                }
-                outputs.push(shown);
-            }
-            let terms = given::terms(b, plant, cells.calls);
-            for (known, kept) in design.knowns.iter().zip(&cells.knowns) {
-                let Source::Injection(k) = known.source else { continue };
-                if known.jumps || known.run == Between::Held {
-                    continue;
-                }
-                let value = given::term(b, &terms, k, &outputs, bound);
-                for cell in kept {
-                    b.set(*cell, value);
-                }
-            }
+            given::show(b, sensors, &state, None, |_| false);
         });
     }
 }

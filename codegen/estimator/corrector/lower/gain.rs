@@ -2,6 +2,7 @@
 
 use crate::program::Value;
 use crate::sampled::settled::Settled;
+use crate::sampled::weights::{products, push_products};
 
 use super::super::{After, Corrector, Frame, Gain, Polynomials, Spread, guard};
 use super::{Lowering, calls};
@@ -13,7 +14,7 @@ impl Lowering<'_> {
         let before = self.builder.read(self.cells.left);
         let left = counts_down(design).then(|| self.count_down(before, measured));
         let corrections = match (&design.gain, left) {
-            (Gain::Constant(gain), _) => self.products(gain, innovation),
+            (Gain::Constant(gain), _) => products(&mut self.builder, gain, innovation),
             (Gain::Periodic(rows), _) => self.by_phase(rows, innovation),
             (Gain::Table(rows), Some(left)) => self.by_table(rows, left, innovation),
             (Gain::Countdown(law), Some(left)) => {
@@ -21,14 +22,14 @@ impl Lowering<'_> {
                 self.spread(kappa, innovation[0])
             }
             (Gain::Sliding { law, .. }, _) => {
-                let largest = self.guard.bound * guard::innovation(self.plant, design);
+                let largest = self.sensors.guard.bound * guard::innovation(self.plant, design);
                 let corrections = law.corrections(&mut self.builder, innovation[0], largest);
                 self.spread(corrections, innovation[0])
             }
             (Gain::Table(_) | Gain::Countdown(_), None) => unreachable!("these follow a countdown"),
         };
         let Some(steady) = &design.handover else { return (corrections, left) };
-        let after = self.products(steady, innovation);
+        let after = products(&mut self.builder, steady, innovation);
         let none = self.builder.index(0);
         let over = self.builder.index_equal(before, none);
         let chosen = corrections.into_iter().zip(after).map(|(now, after)| self.builder.select(over, after, now));
@@ -109,7 +110,7 @@ impl Lowering<'_> {
         for _ in 1..n {
             powers.push(self.builder.mul(powers[powers.len() - 1], r));
         }
-        let terms: Vec<Value> = self.products(&law.terms, &powers);
+        let terms: Vec<Value> = products(&mut self.builder, &law.terms, &powers);
         let mut sums = terms.clone();
         for j in (0..n - 1).rev() {
             sums[j] = self.builder.add(terms[j], sums[j + 1]);
@@ -125,8 +126,8 @@ impl Lowering<'_> {
         let Frame::Plant { spread: Some(Spread { m, q }), .. } = &design.frame else { return kappa };
         let each = m.iter().zip(q).map(|(row, q)| {
             let mut terms = Vec::new();
-            self.push_products(&mut terms, row, &kappa);
-            self.push_products(&mut terms, &[*q], &[innovation]);
+            push_products(&mut self.builder, &mut terms, row, &kappa);
+            push_products(&mut self.builder, &mut terms, &[*q], &[innovation]);
             self.builder.sum(&terms)
         });
         each.collect()

@@ -4,7 +4,7 @@
 //! call corrects as any other, and convergence is counted from the first good call on, as in a start from a sample.
 
 use crate::program::Value;
-use crate::sampled::{Part, Source};
+use crate::sampled::weights::products;
 use crate::step::given;
 
 use super::super::Frame;
@@ -28,49 +28,20 @@ impl Lowering<'_> {
         self.builder.set(cell, kept);
     }
 
-    /// What each signal brought at the last call. An input that runs straight is taken to have been what it is at the
-    /// first call, before which nothing is known of it.
-    pub(super) fn begun(&mut self, known: &[Option<Value>]) -> Vec<Value> {
-        let design = self.design;
-        let mut begun = Vec::new();
-        for ((signal, cell), now) in design.signals.iter().zip(self.cells.signals.clone()).zip(known) {
-            let before = self.builder.read(cell);
-            let runs = matches!((signal.source, signal.part), (Source::Input(_), Part::Runs));
-            begun.push(match now {
-                Some(now) if runs && self.plant.init_at => {
-                    given::begun(&mut self.builder, self.cells.calls, *now, before)
-                }
-                _ => before,
-            });
-        }
-        begun
-    }
-
     /// Writes the start from a given state, where there is one.
     pub(super) fn init_at(&mut self) {
         let Some(given) = self.cells.given else { return };
-        let Self { plant, design, guard, builder, cells, .. } = self;
-        let (plant, bound) = (*plant, guard.bound);
+        let Self { plant, design, builder, cells, sensors, .. } = self;
+        let (plant, bound) = (*plant, sensors.guard.bound);
         builder.init_at(|b| {
             b.section("the given state");
             let (state, vouched) = given::state(b, plant, bound);
             let carried = match &design.frame {
                 Frame::Plant { .. } => state.clone(),
-                Frame::Chain { entry, .. } => entry
-                    .iter()
-                    .flatten()
-                    .map(|row| {
-                        let mut terms = Vec::new();
-                        for (weight, x) in row.iter().zip(&state) {
-                            if let Some(weight) = weight {
-                                let weight = b.float(weight.value(plant.scalar));
-                                terms.push(b.mul(weight, *x));
-                            }
-                        }
-                        let sum = b.sum(&terms);
-                        given::within(b, sum, bound)
-                    })
-                    .collect(),
+                Frame::Chain { entry, .. } => {
+                    let entry = entry.as_deref().unwrap_or_default();
+                    products(b, entry, &state).into_iter().map(|value| given::within(b, value, bound)).collect()
+                }
             };
             for (cell, value) in cells.state.iter().zip(&carried) {
                 b.set(*cell, *value);
@@ -89,18 +60,7 @@ impl Lowering<'_> {
             }
             let begins = b.select(vouched, none, one);
             b.set(given, begins);
-            b.section("what it shows, and what that makes of the nonlinear terms");
-            let shown = guard.outputs.iter().enumerate();
-            let outputs: Vec<Value> = shown.map(|(o, range)| given::shown(b, plant, &state, o, *range)).collect();
-            for (cell, value) in cells.outputs.iter().zip(&outputs) {
-                b.set(*cell, *value);
-            }
-            let terms = given::terms(b, plant, cells.calls);
-            for (signal, cell) in design.signals.iter().zip(&cells.signals) {
-                let (Source::Injection(k), Part::Runs | Part::Curves) = (signal.source, signal.part) else { continue };
-                let value = given::term(b, &terms, k, &outputs, bound);
-                b.set(*cell, value);
-            }
+            given::show(b, sensors, &state, None, |_| false);
         });
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::program::builder::Builder;
 use crate::program::{Scalar, Value};
-use crate::sampled::settled::Settled;
+use crate::sampled::weights::constant;
 
 use super::{Sliding, power};
 
@@ -98,11 +98,6 @@ impl Sliding {
         rows.reverse();
         rows
     }
-}
-
-fn constant(b: &mut Builder, value: Settled) -> Value {
-    let scalar = b.scalar();
-    b.float(value.value(scalar))
 }
 
 /// q and q' at w.

@@ -1,92 +1,26 @@
 //! The state of a window method, and its names.
 
 use crate::plant::Plant;
+use crate::program::CellId;
 use crate::program::builder::Builder;
-use crate::program::{CellId, Value};
 use crate::step::cells::{bracketed, identifier};
-use crate::step::front::counts::Counts;
+use crate::step::guard::Guard;
+use crate::step::kept::Kept;
+use crate::step::known::Term;
+use crate::step::sensors::{Sensors, counters};
 
 use super::super::Functional;
 use super::count::longest_count;
 use super::irregular::Memory;
-use super::{kept_len, late_len};
+use super::{kept_len, late_len, window_len};
 use crate::step::{gate, injections, inputs};
-
-/// What is kept of a sampled signal.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Kept {
-    /// The window, by slot.
-    Window(CellId),
-    /// The window of a counter, by slot, as it counts.
-    Counts(CellId, Counts),
-    /// The newest value alone.
-    Newest(CellId),
-}
-
-impl Kept {
-    /// The window's ring; only a step that keeps nothing but the newest value has none.
-    pub(crate) fn ring(self) -> CellId {
-        match self {
-            Self::Window(ring) => ring,
-            Self::Counts(..) | Self::Newest(_) => unreachable!("asked for by steps that keep the window as floats"),
-        }
-    }
-
-    /// The value that stands at a slot; the newest one where no others are kept.
-    pub(super) fn read(self, b: &mut Builder, slot: Value) -> Value {
-        match self {
-            Self::Window(ring) => b.read_ring(ring, slot),
-            Self::Counts(ring, counts) => {
-                let count = b.read_ring(ring, slot);
-                counts.place(b, count)
-            }
-            Self::Newest(cell) => b.read(cell),
-        }
-    }
-
-    /// The count that stands at a slot, with its counter.
-    pub(super) fn count(self, b: &mut Builder, slot: Value) -> Option<(Value, Counts)> {
-        let Self::Counts(ring, counts) = self else { return None };
-        Some((b.read_ring(ring, slot), counts))
-    }
-
-    /// Keeps a value, of a counter as the nearest count.
-    pub(super) fn put(self, b: &mut Builder, slot: Value, value: Value) {
-        match self {
-            Self::Counts(_, counts) => {
-                let none = b.index(0);
-                let count = counts.further(b, none, value);
-                self.write(b, slot, count);
-            }
-            Self::Window(_) | Self::Newest(_) => self.write(b, slot, value),
-        }
-    }
-
-    /// Keeps a value that becomes the newest; of a counter, its count.
-    pub(super) fn write(self, b: &mut Builder, slot: Value, value: Value) {
-        match self {
-            Self::Window(ring) | Self::Counts(ring, _) => b.set_ring(ring, slot, value),
-            Self::Newest(cell) => b.set(cell, value),
-        }
-    }
-}
 
 /// The cells of a window method.
 pub(crate) struct Cells {
-    /// Per output: samples.
-    pub(crate) outputs: Vec<Kept>,
-    /// Per signal: values.
-    pub(crate) signals: Vec<Kept>,
-    /// Per input: the last good value, where no ring holds it.
-    pub(super) inputs: Vec<CellId>,
     /// Slot of age 0.
     pub(super) newest: CellId,
     /// Good samples in a row; from N+1 on predicted ones too.
     pub(super) count: CellId,
-    /// Per output, where there are several: samples missing in a row.
-    pub(super) missed: Vec<CellId>,
-    /// Per output with a gate: samples not believed in a row.
-    pub(super) rejected: Vec<Option<CellId>>,
     /// Per output, where measurements come at irregular times: calls since the newest.
     pub(super) gaps: Vec<CellId>,
     /// Calls until no replaced sample is in the window.
@@ -95,24 +29,25 @@ pub(crate) struct Cells {
     pub(super) ahead: Vec<CellId>,
     /// Per late output: slot in the ring above.
     pub(super) late: Vec<Option<CellId>>,
-    /// Calls since init.
-    pub(super) calls: CellId,
-    /// Calls since a sample was accepted, where they are asked for.
-    pub(super) coasted: Option<CellId>,
     /// Of an estimate from the samples that are there.
     pub(super) memory: Option<Memory>,
 }
 
 /// Declares the cells; those that nothing reads are left out of the Program.
-pub(super) fn declare(builder: &mut Builder, plant: &Plant, functional: &Functional) -> Cells {
+pub(super) fn declare<'a>(
+    builder: &mut Builder,
+    plant: &'a Plant,
+    functional: &Functional,
+    guard: Guard,
+) -> (Cells, Sensors<'a>) {
     let window = kept_len(functional);
     let scalar = plant.scalar;
     let stores = functional.way.stores_window();
+    let counters = counters(builder, plant);
     let outputs = plant.outputs.iter().enumerate().map(|(o, output)| {
         let (name, unit) = (&output.label.name, bracketed(&output.label.unit));
         let initial = injections::initial_output(plant, o, scalar);
-        let counts = Counts::of(plant, output).filter(|_| stores && functional.irregular.is_none());
-        if let Some(counts) = counts {
+        if let Some(counts) = counters[o].filter(|_| stores && functional.irregular.is_none()) {
             let ring = builder.counts(name, &format!("counts of {name} by slot"), window, counts.bits, 0);
             Kept::Counts(ring, counts)
         } else if stores {
@@ -122,7 +57,7 @@ pub(super) fn declare(builder: &mut Builder, plant: &Plant, functional: &Functio
         }
     });
     let outputs = outputs.collect();
-    let signals = functional.signals.iter().map(|signal| {
+    let values = functional.signals.iter().map(|signal| {
         let (name, text) = (identifier(&signal.text), &signal.text);
         if stores {
             Kept::Window(builder.ring(&name, &format!("{text} by slot"), window, 0.0))
@@ -130,20 +65,18 @@ pub(super) fn declare(builder: &mut Builder, plant: &Plant, functional: &Functio
             Kept::Newest(builder.float_cell(&name, &format!("the newest {text}"), 0.0))
         }
     });
-    let signals = signals.collect();
+    let values = values.collect();
     let inputs = inputs::cells(builder, plant);
     let newest = builder.index_cell("newest", "slot of age 0", window - 1);
     let most = longest_count(functional);
     let count =
         builder.index_cell("count", &format!("good samples in a row, then predicted ones too, at most {most}"), 0);
     let several = if plant.outputs.len() > 1 { plant.outputs.as_slice() } else { &[] };
-    let missed = several.iter().map(|output| {
+    let missed = several.iter().enumerate().map(|(o, output)| {
         let name = &output.label.name;
-        builder.index_cell(
-            &format!("missed_{name}"),
-            &format!("samples of {name} missing in a row, at most a window"),
-            0,
-        )
+        let doc = format!("samples of {name} missing in a row, at most a window");
+        let cell = builder.index_cell(&format!("missed_{name}"), &doc, 0);
+        (cell, if functional.irregular.is_some() { window } else { window - late_len(functional, o) })
     });
     let missed = missed.collect();
     let rejected = gate::cells(builder, plant);
@@ -173,25 +106,32 @@ pub(super) fn declare(builder: &mut Builder, plant: &Plant, functional: &Functio
     }
     let calls = builder.index_cell("calls", "calls since init", 0);
     // Where samples are left out, the solve keeps this.
-    let coasted = plant.coasted && functional.irregular.is_none();
-    let coasted = coasted.then(|| builder.index_cell("since", "calls since a sample was accepted", 0));
-    let memory = functional.irregular.as_ref().map(|_| memory(builder, plant, functional));
-    Cells {
+    let irregular = functional.irregular.is_some();
+    let since = (plant.coasted && !irregular).then(|| since(builder));
+    let memory = irregular.then(|| memory(builder, plant, functional));
+    let coasted = memory.as_ref().map(|memory| memory.coasted).filter(|_| plant.coasted).or(since);
+    let terms = functional.signals.iter().map(Term::from).collect();
+    let patience = window_len(functional) - 1;
+    let sensors = Sensors {
+        plant,
+        guard,
+        terms,
+        newest: None,
+        counters,
         outputs,
-        signals,
+        values,
         inputs,
-        newest,
-        count,
+        calls,
         missed,
         rejected,
-        gaps,
-        coasting,
-        ahead,
-        late,
-        calls,
+        patience,
         coasted,
-        memory,
-    }
+    };
+    (Cells { newest, count, gaps, coasting, ahead, late, memory }, sensors)
+}
+
+fn since(builder: &mut Builder) -> CellId {
+    builder.index_cell("since", "calls since a sample was accepted", 0)
 }
 
 fn memory(builder: &mut Builder, plant: &Plant, functional: &Functional) -> Memory {
@@ -213,7 +153,7 @@ fn memory(builder: &mut Builder, plant: &Plant, functional: &Functional) -> Memo
         (delay > 0).then(|| builder.index_cell(&name, doc, window - 1 - delay))
     });
     let late = late.collect();
-    let coasted = builder.index_cell("since", "calls since a sample was accepted", 0);
+    let coasted = since(builder);
     let ages = plant.outputs.iter().map(|output| {
         let name = &output.label.name;
         let (cell, doc) = (format!("age_{name}"), format!("ages of these over the oldest, of {name} by slot"));

@@ -37,7 +37,7 @@ impl Lowering<'_> {
 
     /// Signals of this call as a vector.
     fn signals(sampled: &Sampled) -> Vector {
-        sampled.signals.iter().map(|value| Some(*value)).collect()
+        sampled.reading.signals.iter().map(|value| Some(*value)).collect()
     }
 
     /// A copy now: what was handed to this call, and the share of what the call brought.
@@ -53,13 +53,13 @@ impl Lowering<'_> {
             let foreseen = self.row_times(row, now, None);
             foreseen.map_or(*sample, |foreseen| self.builder.sub(*sample, foreseen))
         };
-        copy.seen.0.iter().zip(&sampled.outputs).map(&mut innovation).collect()
+        copy.seen.0.iter().zip(&sampled.reading.outputs).map(&mut innovation).collect()
     }
 
     /// What a copy hands to the next call.
     pub(super) fn hand_over(&mut self, copy: &Copy, now: &[Option<Value>], sampled: &Sampled) -> Vector {
         let signals = Self::signals(sampled);
-        let samples: Vector = sampled.outputs.iter().map(|sample| Some(*sample)).collect();
+        let samples: Vector = sampled.reading.outputs.iter().map(|sample| Some(*sample)).collect();
         let row = |entries: &Entries, i: usize| entries.0[i].clone();
         (0..copy.live.len())
             .map(|i| {

@@ -12,14 +12,14 @@ impl Lowering<'_> {
         let before = self.builder.read(self.cells.count);
         let mut converged = self.had_converged(before, 1);
         let mut interval_good = sampled.interval_good;
-        if let Some(again) = sampled.again {
+        if let Some(again) = sampled.reading.again {
             let goes_on = self.builder.not(again);
             converged = self.builder.and(converged, goes_on);
             interval_good = self.builder.and(interval_good, goes_on);
         }
         let (none, one) = (self.builder.index(0), self.builder.index(1));
         let more = self.builder.count_up(before, longest_count(self.functional));
-        let kept = self.builder.select(sampled.lost, none, more);
+        let kept = self.builder.select(sampled.reading.lost, none, more);
         let grown = self.builder.select(interval_good, more, one);
         let growing = self.builder.select(sampled.samples_good, grown, none);
         let count = self.builder.select(converged, kept, growing);

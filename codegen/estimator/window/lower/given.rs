@@ -8,7 +8,6 @@ use crate::sampled::carry::Carry;
 use crate::step::given::{self, Running};
 
 use super::{Lowering, Sampled, kept_len};
-use crate::sampled::{Part, Source};
 
 /// What is kept of a given state.
 pub(crate) struct Given {
@@ -52,30 +51,21 @@ impl Lowering<'_> {
         let Some(mut given) = self.given.take() else { return };
         self.builder.section("from the given state, until there is an estimate");
         let slot = self.builder.retreat(sampled.newest, kept_len(self.functional));
-        let begin: Vec<Value> = (0..self.functional.signals.len()).map(|s| self.begun(s, slot, sampled)).collect();
-        let b = &mut self.builder;
+        let (sensors, b) = (self.sensors(slot), &mut self.builder);
+        let signals = &sampled.reading.signals;
+        let now = signals.iter().enumerate();
+        let begin: Vec<Value> = now.map(|(s, now)| sensors.begun(b, s, *now)).collect();
         let before: Vec<Value> = given.state.iter().map(|cell| b.read(*cell)).collect();
-        let next = given.carry.next(b, self.plant.scalar, &before, (&begin, &sampled.signals));
+        let next = given.carry.next(b, &before, (&begin, signals));
         let state = given::turned_back(b, self.plant, next);
         let mut active = given.running.active(b);
         for value in &state {
-            let sane = b.in_range(*value, -self.guard.bound, self.guard.bound);
+            let sane = b.in_range(*value, -self.sensors.guard.bound, self.sensors.guard.bound);
             active = b.and(active, sane);
         }
         let vouched = given.running.vouched(b);
         given.run = Some(Run { state, active, vouched });
         self.given = Some(given);
-    }
-
-    /// What a signal brought at the last call. An input that runs straight is taken to have been what it is at the first
-    /// call, before which nothing is known of it.
-    fn begun(&mut self, s: usize, slot: Value, sampled: &Sampled) -> Value {
-        let before = self.cells.signals[s].read(&mut self.builder, slot);
-        let signal = &self.functional.signals[s];
-        if !matches!((signal.source, signal.part), (Source::Input(_), Part::Runs)) {
-            return before;
-        }
-        given::begun(&mut self.builder, self.cells.calls, sampled.signals[s], before)
     }
 
     /// Whether the model runs from a given state, by the call before; false where none is given.
@@ -112,8 +102,8 @@ impl Lowering<'_> {
 
     /// Writes the start from a given state, where there is one; `more` adds what a method keeps besides.
     pub(crate) fn init_at(&mut self, more: impl FnOnce(&mut Builder, &[Value])) {
-        let Self { plant, functional, guard, builder, cells, given: Some(given), .. } = self else { return };
-        let (plant, bound) = (*plant, guard.bound);
+        let Self { plant, functional, builder, sensors, given: Some(given), .. } = self else { return };
+        let (plant, bound) = (*plant, sensors.guard.bound);
         builder.init_at(|b| {
             b.section("the given state");
             let (state, vouched) = given::state(b, plant, bound);
@@ -121,23 +111,9 @@ impl Lowering<'_> {
                 b.set(*cell, *value);
             }
             given.running.begin(b, vouched);
-            b.section("what it shows, and what that makes of the nonlinear terms");
             let slot = b.index(kept_len(functional) - 1);
-            let mut outputs = Vec::new();
-            for (o, range) in guard.outputs.iter().enumerate() {
-                let shown = given::shown(b, plant, &state, o, *range);
-                // What arrives late was sampled before: nothing is known of it.
-                if functional.delays[o] == 0 {
-                    cells.outputs[o].put(b, slot, shown);
-                }
-                outputs.push(shown);
-            }
-            let terms = given::terms(b, plant, cells.calls);
-            for (signal, kept) in functional.signals.iter().zip(&cells.signals) {
-                let (Source::Injection(k), Part::Runs | Part::Curves) = (signal.source, signal.part) else { continue };
-                let value = given::term(b, &terms, k, &outputs, bound);
-                kept.write(b, slot, value);
-            }
+            // What arrives late was sampled before.
+            given::show(b, sensors, &state, Some(slot), |o| functional.delays[o] > 0);
             more(b, &state);
         });
     }

@@ -13,8 +13,9 @@ use super::super::irregular::Irregular;
 use super::normal::solve;
 use super::{Lowering, Sampled};
 use crate::sampled::settled::round;
+use crate::sampled::weights::{constant, row};
 pub(super) use pass::acted;
-use pass::{Pass, predicted, row, shift};
+use pass::{Pass, column, predicted, shift};
 
 /// What the solve keeps from call to call.
 pub(super) struct Memory {
@@ -46,20 +47,20 @@ impl Lowering<'_> {
     /// The state as the model predicts it, with the signals of this call.
     pub(super) fn predicted_state(&mut self, signals: &[Value]) -> Vec<Value> {
         let Some(irregular) = &self.functional.irregular else { return Vec::new() };
-        let (scalar, next) = (self.plant.scalar, self.memory().next.clone());
+        let next = self.memory().next.clone();
         let b = &mut self.builder;
-        next.iter().enumerate().map(|(i, next)| predicted(b, irregular, scalar, *next, i, signals)).collect()
+        next.iter().enumerate().map(|(i, next)| predicted(b, irregular, *next, i, signals)).collect()
     }
 
     /// What an output shows of a state.
     pub(super) fn shown(&mut self, output: usize, state: &[Value]) -> Value {
         let Some(irregular) = &self.functional.irregular else { unreachable!("asked for by the solve") };
-        row(&mut self.builder, self.plant.scalar, &irregular.c, output, state)
+        row(&mut self.builder, &irregular.c[output], state)
     }
 
     /// The estimate, and whether it comes from samples, or at least from the model.
     pub(super) fn irregular(&mut self, irregular: &Irregular, sampled: &Sampled, full: Value) -> Irregularly {
-        let (outputs, signals) = (self.cells.outputs.clone(), self.cells.signals.clone());
+        let (outputs, signals) = (self.sensors.outputs.clone(), self.sensors.values.clone());
         let memory = self.cells.memory.take().unwrap_or_else(|| unreachable!("declared with the solve"));
         let (scalar, len) = (self.plant.scalar, self.window());
         let plant = self.plant;
@@ -72,7 +73,7 @@ impl Lowering<'_> {
         let (start, enough) = solve(b, &passed.normal, &passed.right, threshold);
         let mut solved = Vec::new();
         for (i, response) in passed.response.iter().enumerate() {
-            let free = pass.row(b, &irregular.through, i, &start);
+            let free = row(b, &irregular.through[i], &start);
             solved.push(b.add(free, *response));
         }
         for ((o, wrap), moved) in pass.turning().zip(&passed.moved) {
@@ -95,7 +96,7 @@ impl Lowering<'_> {
         (solved, enough): (Vec<Value>, Value),
         full: Value,
     ) -> Irregularly {
-        let (irregular, bound, b) = (pass.irregular, self.guard.bound, &mut self.builder);
+        let (irregular, bound, b) = (pass.irregular, self.sensors.guard.bound, &mut self.builder);
         b.section("without enough samples, the model's prediction");
         let (none, one, zero) = (b.index(0), b.index(1), b.float(0.0));
         let known = b.read(memory.known);
@@ -105,10 +106,10 @@ impl Lowering<'_> {
         for (o, wrap) in pass.turning() {
             let n = solved.len();
             let mut state = turned.take().unwrap_or_else(|| {
-                (0..n).map(|i| predicted(b, irregular, pass.scalar, memory.next[i], i, &sampled.signals)).collect()
+                (0..n).map(|i| predicted(b, irregular, memory.next[i], i, &sampled.reading.signals)).collect()
             });
             let turn = round(&wrap.turn, pass.scalar);
-            let shown = row(b, pass.scalar, &irregular.c, o, &state);
+            let shown = row(b, &irregular.c[o], &state);
             let turns = front::turns(b, shown, turn);
             let back = b.float(-turn);
             let back = b.mul(turns, back);
@@ -118,7 +119,7 @@ impl Lowering<'_> {
         for (i, solved) in solved.into_iter().enumerate() {
             let predicted = match &turned {
                 Some(state) => state[i],
-                None => predicted(b, irregular, pass.scalar, memory.next[i], i, &sampled.signals),
+                None => predicted(b, irregular, memory.next[i], i, &sampled.reading.signals),
             };
             let sane = b.in_range(predicted, -bound, bound);
             usable = b.and(usable, sane);
@@ -129,9 +130,9 @@ impl Lowering<'_> {
         let keep = b.select(usable, one, none);
         b.set(memory.known, keep);
         for (i, cell) in memory.next.iter().enumerate() {
-            let kept = pass.row(b, &irregular.phi, i, &estimate);
-            let begun = pass.column(b, &irregular.begin, i, &sampled.signals);
-            let constant = irregular.constant[i].map(|c| b.float(c.value(pass.scalar)));
+            let kept = row(b, &irregular.phi[i], &estimate);
+            let begun = column(b, &irregular.begin, i, &sampled.reading.signals);
+            let constant = irregular.constant[i].map(|entry| constant(b, entry));
             let terms: Vec<Value> = [Some(kept), begun, constant].into_iter().flatten().collect();
             let sum = b.sum(&terms);
             let sane = b.in_range(sum, -bound, bound);

@@ -103,7 +103,7 @@ impl Lowering<'_> {
         let mut sum = predicted;
         for (s, signal) in self.functional.signals.iter().enumerate() {
             let begin = match signal.part {
-                Part::Runs | Part::Curves => self.cells.signals[s].read(&mut self.builder, newest_before),
+                Part::Runs | Part::Curves => self.sensors.values[s].read(&mut self.builder, newest_before),
                 Part::End => signals[s - 1],
                 Part::Held | Part::Start => continue,
             };

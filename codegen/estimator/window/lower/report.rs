@@ -2,11 +2,11 @@
 
 use crate::program::Value;
 use crate::sampled::settled::Settled;
+use crate::sampled::weights::terms;
 use crate::step::report::{self, Moved, start};
 
 use super::{Lowering, Sampled, late_len};
 use crate::sampled::Part;
-use crate::step::injections::Injections;
 
 /// How far an estimate can be trusted.
 pub(crate) struct Standing {
@@ -27,17 +27,11 @@ impl Lowering<'_> {
         self.builder.section("the next measurement, as far as it is known");
         for o in 0..self.plant.outputs.len() {
             let prediction = self.functional.prediction[o].clone();
-            let mut terms = Vec::new();
-            for (weight, state) in prediction.states.iter().zip(estimate) {
-                if let Some(weight) = weight {
-                    let weight = self.constant(*weight);
-                    terms.push(self.builder.mul(weight, *state));
-                }
-            }
+            let mut terms = terms(&mut self.builder, prediction.states.iter().zip(estimate));
             for (s, signal) in self.functional.signals.iter().enumerate() {
                 if let (Part::Runs | Part::Curves, Some(weight)) = (signal.part, self.held(o, s)) {
                     let weight = self.factor(&weight);
-                    terms.push(self.builder.mul(weight, sampled.signals[s]));
+                    terms.push(self.builder.mul(weight, sampled.reading.signals[s]));
                 }
             }
             if prediction.constant != Settled::default() {
@@ -46,7 +40,7 @@ impl Lowering<'_> {
             let mut sum = self.builder.sum(&terms);
             if let Some(slot) = self.cells.late[o] {
                 if self.plant.outputs[o].wrap.is_some() {
-                    sum = self.builder.add(sum, sampled.outputs[o]);
+                    sum = self.builder.add(sum, sampled.reading.outputs[o]);
                 }
                 let len = late_len(self.functional, o);
                 let before = self.builder.read(slot);
@@ -71,20 +65,20 @@ impl Lowering<'_> {
     pub(super) fn show(&mut self, estimate: &[Value], sampled: &Sampled, known: Value, behind: &str) {
         let mut answer = Vec::new();
         for (i, estimate) in estimate.iter().enumerate() {
-            let start = start(&mut self.builder, self.plant, i, &sampled.outputs);
+            let start = start(&mut self.builder, self.plant, i, &sampled.reading.outputs);
             let value = self.builder.select(known, *estimate, start);
             answer.push(self.or_given(i, value));
         }
         let moved = self.ahead.map(|ahead| {
-            let injections = Injections::new(self.plant, self.cells.calls, sampled.inputs.clone());
-            Moved { ahead, injections, outputs: &sampled.outputs }
+            let injections = self.sensors.injections(&sampled.reading.known.injections.inputs);
+            Moved { ahead, injections, outputs: &sampled.reading.outputs }
         });
         report::estimates(&mut self.builder, self.plant, answer, moved, behind);
     }
 
     /// Calls since the newest accepted sample, where they are asked for.
     pub(super) fn show_coasted(&mut self, sampled: &Sampled) {
-        if let Some(coasted) = sampled.coasted {
+        if let Some(coasted) = sampled.reading.coasted {
             report::coasted(&mut self.builder, coasted);
         }
     }

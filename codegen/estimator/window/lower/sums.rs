@@ -21,7 +21,7 @@ use crate::step::front::counts::Counts;
 use crate::step::front::fold;
 
 use super::super::{Functional, Weights};
-use super::cells::Kept;
+use crate::step::kept::Kept;
 
 /// Ages from which on a loop is shorter than its contents.
 const SHORTEST_LOOP: usize = 8;
@@ -60,7 +60,7 @@ impl Track<'_> {
     /// What is summed of the sample at a slot; `moved` is of the sample one call younger, and becomes that of this one.
     fn sample(&self, b: &mut Builder, slot: Value, moved: &mut Option<Moved>) -> Value {
         let (Some(anchor), Some(younger)) = (self.anchor, *moved) else { return self.kept.read(b, slot) };
-        let counted: Option<(Value, Counts)> = self.kept.count(b, slot);
+        let counted: Option<(Value, Counts)> = self.kept.count(b, Some(slot));
         let (sample, step) = match counted {
             Some((count, counts)) => (count, counts.steps(b, count, younger.sample)),
             None => {

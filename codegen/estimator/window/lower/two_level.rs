@@ -242,7 +242,7 @@ impl Lowering<'_> {
     fn oldest_block(&mut self, cut: Cut, newest: &Newest, sampled: &Sampled) -> Vec<Option<Value>> {
         let functional = self.functional;
         let weights: Vec<_> = functional.outputs.iter().chain(&functional.knowns).collect();
-        let kept: Vec<_> = self.cells.outputs.iter().chain(&self.cells.signals).copied().collect();
+        let kept: Vec<_> = self.sensors.outputs.iter().chain(&self.sensors.values).copied().collect();
         let names = self.plant.outputs.iter().map(|o| &o.label.name).chain(functional.signals.iter().map(|s| &s.text));
         let names: Vec<String> = names.cloned().collect();
         let n = self.plant.states.len();

@@ -37,7 +37,7 @@ pub fn check(plant: &Plant, regression: &Regression) -> Result<(), Vec<Diagnosti
 }
 
 /// What the largest sums of a step are, for samples of magnitude 1.
-pub fn growth(regression: &Regression) -> Growth {
+pub fn growth(plant: &Plant, regression: &Regression) -> Growth {
     let phi = doubles(&regression.phi);
     let shown = doubles(&regression.shown);
     let steps = regression.carrier.steps;
@@ -51,8 +51,11 @@ pub fn growth(regression: &Regression) -> Growth {
     let down = |k: usize| -> f64 { rows.iter().flat_map(|r| r.iter()).map(|o| o[k].double.abs()).sum() };
     let down = (0..n).map(down).fold(0.0, f64::max);
     let left = 1.0 + across * down;
+    // What wraps is summed up from sample to sample.
+    let summed = if plant.outputs.iter().any(|output| output.wrap.is_some()) { steps } else { 1 };
+    let sample = crate::numbers::count(summed);
     let equations = crate::numbers::count(rows.len() * regression.trust.len());
-    let measured = (1.0 + seen) * left;
+    let measured = (sample + seen) * left;
     let regressor = responses.iter().map(|(_, v)| v * left).fold(0.0, f64::max);
     let normal = equations * regressor * regressor.max(measured);
 
@@ -61,10 +64,10 @@ pub fn growth(regression: &Regression) -> Growth {
     let state = |a: usize| -> (f64, f64) {
         let spread = total(&through[a]) * down;
         let own: f64 = responses.iter().map(|(p, v)| p[a] + spread * v).sum();
-        (known[a] + spread * (1.0 + seen), own)
+        (known[a] + spread * (sample + seen), own)
     };
     let states: Vec<(f64, f64)> = (0..n).map(state).collect();
-    let mut growth = Growth { linear: 1.0 + seen, square: normal };
+    let mut growth = Growth { linear: sample + seen, square: normal };
     for (linear, square) in &states {
         growth.linear = growth.linear.max(*linear);
         growth.square = growth.square.max(*square);

@@ -15,6 +15,8 @@ use crate::estimator::window::lower::predict::Unknowns;
 use crate::estimator::window::lower::{Lowering, Sampled, Standing, guard, late_len};
 use crate::plant::Plant;
 use crate::program::{CellId, Program, Value};
+use crate::sampled::settled::round;
+use crate::sampled::weights::push_products;
 use crate::step::injections;
 
 use super::Regression;
@@ -25,7 +27,7 @@ use responses::{Running, Window};
 /// Lowers a regression for its plant; constants that the target's floats cannot hold are reported.
 pub fn lower(plant: &Plant, regression: &Regression) -> Result<Program, Vec<Diagnostic>> {
     check(plant, regression)?;
-    let guard = guard::bound(plant, &regression.carrier, growth(regression))?;
+    let guard = guard::bound(plant, &regression.carrier, growth(plant, regression))?;
     injections::check(plant)?;
     let mut step = Step::new(Lowering::new(plant, &regression.carrier, guard), regression);
     step.declare_given();
@@ -88,7 +90,9 @@ impl<'a> Step<'a> {
         let values = self.keep(&values, good);
         self.lowering.builder.section("the estimate; until the unknowns have been found, the start");
         let estimate = self.estimate(&gathered, &values);
+        let estimate = self.off_the_newest(estimate, &gathered);
         self.lowering.look_ahead(&estimate, &sampled);
+        let estimate = self.lowering.at_the_newest(&estimate, &sampled);
         self.lowering.end_given(known);
         let standing = Standing { known, determined: good, renewed: None };
         self.lowering.report(&estimate, &sampled, &standing);
@@ -114,7 +118,9 @@ impl<'a> Step<'a> {
             .collect();
         let known = vec![b.float(0.0); self.regression.own];
         let gammas = vec![known.clone(); self.regression.gammas.len()];
-        Running { slot, late, known, gammas }
+        let moved = self.lowering.plant.outputs.iter().map(|output| output.wrap.as_ref().map(|_| b.float(0.0)));
+        let moved = moved.collect();
+        Running { slot, late, moved, known, gammas }
     }
 
     /// Calls for which it is kept that the unknowns are known.
@@ -151,6 +157,21 @@ impl<'a> Step<'a> {
         self.values.iter().zip(values).map(keep).collect()
     }
 
+    /// An estimate off the window's first samples of outputs that wrap, as one off their newest.
+    fn off_the_newest(&mut self, mut estimate: Vec<Value>, gathered: &Gathered) -> Vec<Value> {
+        let plant = self.lowering.plant;
+        let b = &mut self.lowering.builder;
+        for (output, moved) in plant.outputs.iter().zip(&gathered.moved) {
+            let (Some(wrap), Some(moved)) = (&output.wrap, moved) else { continue };
+            for (value, direction) in estimate.iter_mut().zip(&wrap.direction).filter(|(_, s)| !s.is_zero()) {
+                let direction = b.float(round(direction, plant.scalar));
+                let along = b.mul(direction, *moved);
+                *value = b.sub(*value, along);
+            }
+        }
+        estimate
+    }
+
     /// `x = Phi^N R^-1 (d - sum eps c) + r + sum eps p`, and the unknowns, by place in the plant.
     fn estimate(&mut self, gathered: &Gathered, values: &[Value]) -> Vec<Value> {
         let regression = self.regression;
@@ -165,12 +186,7 @@ impl<'a> Step<'a> {
         let mut estimate = vec![None; self.lowering.plant.states.len()];
         for (a, place) in regression.states.iter().enumerate() {
             let mut terms: Vec<Value> = gathered.known.state.get(a).copied().into_iter().collect();
-            for (entry, coordinate) in regression.through[a].iter().zip(&coordinates) {
-                if let Some(entry) = entry {
-                    let entry = self.lowering.constant(*entry);
-                    terms.push(self.lowering.builder.mul(entry, *coordinate));
-                }
-            }
+            push_products(&mut self.lowering.builder, &mut terms, &regression.through[a], &coordinates);
             for (gamma, value) in gathered.gammas.iter().zip(values) {
                 let moved = gamma.state.get(a).map(|p| self.lowering.builder.mul(*value, *p));
                 terms.extend(moved);

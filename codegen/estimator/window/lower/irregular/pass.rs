@@ -4,11 +4,12 @@ use crate::plant::{Plant, Wrap};
 use crate::program::builder::Builder;
 use crate::program::{CellId, Scalar, Value};
 use crate::sampled::settled::Settled;
+use crate::sampled::weights::{constant, row, terms};
 use crate::step::front;
+use crate::step::kept::Kept;
 
 use super::super::super::irregular::{Ages, Irregular, Sparse};
 use super::super::Lowering;
-use super::super::cells::Kept;
 use super::super::normal::triangle;
 use crate::program::place;
 use crate::sampled::settled::round;
@@ -64,10 +65,10 @@ impl Pass<'_> {
         let end: Vec<Value> = self.signals.iter().map(|kept| kept.read(b, slot)).collect();
         let response = (0..carried.response.len())
             .map(|i| {
-                let kept = self.row(b, &self.irregular.phi, i, &carried.response);
-                let begun = self.column(b, &self.irregular.begin, i, &begin);
-                let ended = self.column(b, &self.irregular.end, i, &end);
-                let constant = self.irregular.constant[i].map(|c| b.float(c.value(self.scalar)));
+                let kept = row(b, &self.irregular.phi[i], &carried.response);
+                let begun = column(b, &self.irregular.begin, i, &begin);
+                let ended = column(b, &self.irregular.end, i, &end);
+                let constant = self.irregular.constant[i].map(|entry| constant(b, entry));
                 let terms: Vec<Value> = [Some(kept), begun, ended, constant].into_iter().flatten().collect();
                 b.sum(&terms)
             })
@@ -127,7 +128,7 @@ impl Pass<'_> {
     /// What a sample shows of the known response.
     fn foreseen(&self, b: &mut Builder, output: usize, carried: &Carried) -> Value {
         let Some(shows) = self.shows(b, output, carried.slot) else {
-            return self.row(b, &self.irregular.c, output, &carried.response);
+            return row(b, &self.irregular.c[output], &carried.response);
         };
         let terms = shows.into_iter().zip(&carried.response);
         let terms: Vec<Value> = terms.filter_map(|(c, response)| Some(b.mul(c?, *response))).collect();
@@ -154,14 +155,6 @@ impl Pass<'_> {
             }
         }
         carried
-    }
-
-    pub(super) fn row(&self, b: &mut Builder, matrix: &Sparse, i: usize, values: &[Value]) -> Value {
-        row(b, self.scalar, matrix, i, values)
-    }
-
-    pub(super) fn column(&self, b: &mut Builder, effects: &Sparse, i: usize, values: &[Value]) -> Option<Value> {
-        column(b, self.scalar, effects, i, values)
     }
 }
 
@@ -203,22 +196,10 @@ fn turning(plant: &Plant) -> impl Iterator<Item = (usize, &Wrap)> {
     plant.outputs.iter().enumerate().filter_map(|(o, output)| Some((o, output.wrap.as_ref()?)))
 }
 
-/// A row of a matrix times values.
-pub(super) fn row(b: &mut Builder, scalar: Scalar, matrix: &Sparse, i: usize, values: &[Value]) -> Value {
-    let mut terms = Vec::new();
-    for (weight, value) in matrix[i].iter().zip(values) {
-        if let Some(weight) = weight {
-            let weight = b.float(weight.value(scalar));
-            terms.push(b.mul(weight, *value));
-        }
-    }
-    b.sum(&terms)
-}
-
 /// What signals do to a state; `None` where nothing acts.
-pub(super) fn column(b: &mut Builder, scalar: Scalar, effects: &Sparse, i: usize, values: &[Value]) -> Option<Value> {
-    let column: Sparse = vec![effects.iter().map(|effect| effect[i]).collect()];
-    column[0].iter().any(Option::is_some).then(|| row(b, scalar, &column, 0, values))
+pub(super) fn column(b: &mut Builder, effects: &Sparse, i: usize, values: &[Value]) -> Option<Value> {
+    let terms = terms(b, effects.iter().map(|effect| &effect[i]).zip(values));
+    (!terms.is_empty()).then(|| b.sum(&terms))
 }
 
 /// Moves a state along the direction of a turn, by so much of the output.
@@ -231,16 +212,9 @@ pub(super) fn shift(b: &mut Builder, scalar: Scalar, wrap: &Wrap, state: &mut [V
 }
 
 /// A state as the model predicts it, from the part that the last call knew and the signals of this one.
-pub(super) fn predicted(
-    b: &mut Builder,
-    irregular: &Irregular,
-    scalar: Scalar,
-    next: CellId,
-    i: usize,
-    signals: &[Value],
-) -> Value {
+pub(super) fn predicted(b: &mut Builder, irregular: &Irregular, next: CellId, i: usize, signals: &[Value]) -> Value {
     let begun = b.read(next);
-    let ended = column(b, scalar, &irregular.end, i, signals);
+    let ended = column(b, &irregular.end, i, signals);
     ended.map_or(begun, |ended| b.add(begun, ended))
 }
 

@@ -23,6 +23,8 @@ pub struct Gathered {
     pub known: Response,
     /// Of each gamma.
     pub gammas: Vec<Response>,
+    /// Per output that wraps: how far it has moved over the window.
+    pub moved: Vec<Option<Value>>,
     /// Per gamma: the energy of what it shows.
     pub energy: Vec<Value>,
     /// S, up to the diagonal.
@@ -39,7 +41,7 @@ pub fn gather(window: &Window, b: &mut Builder, start: &Running) -> Gathered {
     let (normal, right) = equations(window, b, start, &first, &shares);
     let known = Response { state: end.known, shares: shares.pop().unwrap_or_default() };
     let gammas = end.gammas.into_iter().zip(shares).map(|(state, shares)| Response { state, shares }).collect();
-    Gathered { known, gammas, energy, normal, right }
+    Gathered { known, gammas, moved: end.moved, energy, normal, right }
 }
 
 /// The first loop: the responses at the end, their shares c and d, the energies.

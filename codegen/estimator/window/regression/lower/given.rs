@@ -21,7 +21,7 @@ impl Step<'_> {
     /// Writes the start, where there is one.
     pub(super) fn init_at(&mut self) {
         let (regression, found, values, longest) = (self.regression, self.found, self.values.clone(), self.longest());
-        let bound = self.lowering.guard.bound;
+        let bound = self.lowering.sensors.guard.bound;
         self.lowering.init_at(|b, state| {
             b.section("the given unknowns stand as found");
             let longest = b.index(longest);

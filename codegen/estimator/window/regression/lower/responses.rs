@@ -2,18 +2,22 @@
 
 use crate::estimator::window::lower::Lowering;
 use crate::program::builder::Builder;
-use crate::program::{CellId, Scalar, TableId, Value};
-use crate::sampled::settled::Settled;
+use crate::program::{TableId, Value, place};
+use crate::sampled::settled::round;
+use crate::sampled::weights::{constant, product, row, terms};
+use crate::step::front;
+use crate::step::kept::Kept;
 
-use super::super::{Drive, Entry, Regression};
+use super::super::{Drive, Regression};
 
 /// What the loops read.
 pub struct Window<'a> {
     pub(super) regression: &'a Regression,
-    outputs: Vec<CellId>,
-    signals: Vec<CellId>,
+    outputs: Vec<Kept>,
+    signals: Vec<Kept>,
+    /// Per output that wraps: its turn.
+    turns: Vec<Option<f64>>,
     len: u32,
-    scalar: Scalar,
     /// o by sample, from the second on.
     pub(super) table: TableId,
 }
@@ -25,6 +29,8 @@ pub struct Running {
     pub slot: Value,
     /// Per output: slot of a late one.
     pub late: Vec<Option<Value>>,
+    /// Per output that wraps: how far it has moved since the window's first sample.
+    pub moved: Vec<Option<Value>>,
     /// r, as many as the plant's own states.
     pub known: Vec<Value>,
     /// p, likewise.
@@ -44,7 +50,7 @@ pub struct Shown {
 impl Running {
     /// As a loop carries it.
     pub fn flat(&self) -> Vec<Value> {
-        let slots = std::iter::once(self.slot).chain(self.late.iter().copied().flatten());
+        let slots = std::iter::once(self.slot).chain(self.late.iter().chain(&self.moved).copied().flatten());
         slots.chain(self.known.iter().copied()).chain(self.gammas.iter().flatten().copied()).collect()
     }
 
@@ -55,6 +61,7 @@ impl Running {
         Self {
             slot: next(),
             late: self.late.iter().map(|slot| slot.map(|_| next())).collect(),
+            moved: self.moved.iter().map(|moved| moved.map(|_| next())).collect(),
             known: self.known.iter().map(|_| next()).collect(),
             gammas: self.gammas.iter().map(|p| p.iter().map(|_| next()).collect()).collect(),
         }
@@ -80,10 +87,10 @@ impl<'a> Window<'a> {
         let table = lowering.builder.table("SHOWN", doc, columns.chain(arrived).collect(), rows);
         Self {
             regression,
-            outputs: lowering.cells.outputs.iter().map(|kept| kept.ring()).collect(),
-            signals: lowering.cells.signals.iter().map(|kept| kept.ring()).collect(),
+            outputs: lowering.sensors.outputs.clone(),
+            signals: lowering.sensors.values.clone(),
+            turns: plant.outputs.iter().map(|o| Some(round(&o.wrap.as_ref()?.turn, plant.scalar))).collect(),
             len: lowering.window(),
-            scalar: plant.scalar,
             table,
         }
     }
@@ -98,44 +105,67 @@ impl<'a> Window<'a> {
         self.regression.gammas.len()
     }
 
-    /// A constant of the design.
-    fn constant(&self, b: &mut Builder, entry: Settled) -> Value {
-        b.float(entry.value(self.scalar))
-    }
-
-    fn product(&self, b: &mut Builder, entry: Settled, value: Value) -> Value {
-        let entry = self.constant(b, entry);
-        b.mul(entry, value)
-    }
-
     /// From one sample to the next.
     pub fn advance(&self, b: &mut Builder, before: &Running) -> Running {
         let slot = b.advance(before.slot, self.len);
-        let late = before.late.iter().map(|slot| slot.map(|slot| b.advance(slot, self.len))).collect();
+        let late: Vec<Option<Value>> =
+            before.late.iter().map(|slot| slot.map(|slot| b.advance(slot, self.len))).collect();
+        let moved = (0..late.len()).map(|o| self.moved(b, before, (slot, late[o]), o)).collect();
         let slots = (before.slot, slot);
         let known = self.respond(b, &self.regression.known, &before.known, slots);
         let drives = self.regression.gammas.iter().zip(&before.gammas);
         let gammas = drives.map(|(drive, state)| self.respond(b, drive, state, slots)).collect();
-        Running { slot, late, known, gammas }
+        Running { slot, late, moved, known, gammas }
+    }
+
+    /// How far an output that wraps has moved at the next slots; of a late one, as far as it has arrived.
+    fn moved(
+        &self,
+        b: &mut Builder,
+        before: &Running,
+        (slot, late): (Value, Option<Value>),
+        output: usize,
+    ) -> Option<Value> {
+        let (turn, moved, kept) = (self.turns[output]?, before.moved[output]?, self.outputs[output]);
+        let (from, to) = (before.late[output].unwrap_or(before.slot), late.unwrap_or(slot));
+        let step = match (kept.count(b, Some(from)), kept.count(b, Some(to))) {
+            (Some((from, counts)), Some((to, _))) => counts.moved(b, to, from),
+            _ => {
+                let (from, to) = (kept.read(b, from), kept.read(b, to));
+                let step = b.sub(to, from);
+                front::fold(b, step, turn)
+            }
+        };
+        let step = match late {
+            Some(_) => {
+                let arrived = self.arrived(b, before, output);
+                b.mul(arrived, step)
+            }
+            None => step,
+        };
+        Some(b.add(moved, step))
+    }
+
+    /// 1 where a late output's sample has arrived, else 0; only inside a loop over the table.
+    fn arrived(&self, b: &mut Builder, now: &Running, output: usize) -> Value {
+        let before = now.late[..output].iter().flatten().count();
+        b.gain(place(self.outputs.len() * self.n() + before))
     }
 
     /// `Phi state + what drives it` over the interval between two slots.
     fn respond(&self, b: &mut Builder, drive: &Drive, state: &[Value], (begin, end): (Value, Value)) -> Vec<Value> {
         (0..self.regression.own)
             .map(|i| {
-                let mut terms = Vec::new();
-                for (entry, x) in self.regression.phi[i].iter().zip(state) {
-                    terms.extend(entry.map(|entry| self.product(b, entry, *x)));
-                }
+                let mut terms = terms(b, self.regression.phi[i].iter().zip(state));
                 for (shares, slot) in [(&drive.begin, begin), (&drive.end, end)] {
                     for (share, ring) in shares.iter().zip(&self.signals) {
                         if let Some(entry) = share[i] {
-                            let value = b.read_ring(*ring, slot);
-                            terms.push(self.product(b, entry, value));
+                            let value = ring.read(b, slot);
+                            terms.push(product(b, entry, value));
                         }
                     }
                 }
-                terms.extend(drive.constant[i].map(|entry| self.constant(b, entry)));
+                terms.extend(drive.constant[i].map(|entry| constant(b, entry)));
                 b.sum(&terms)
             })
             .collect()
@@ -143,25 +173,29 @@ impl<'a> Window<'a> {
 
     /// What the window's first sample of an output shows: there the responses are zero.
     pub fn shown_first(&self, b: &mut Builder, start: &Running, output: usize) -> Shown {
-        let columns = self.regression.rows[0][output].iter().map(|entry| self.constant(b, *entry)).collect();
-        let sample = b.read_ring(self.outputs[output], start.late[output].unwrap_or(start.slot));
-        let measured = self.product(b, self.regression.trust[output], sample);
+        let columns = self.regression.rows[0][output].iter().map(|entry| constant(b, *entry)).collect();
+        let sample = match start.moved[output] {
+            Some(moved) => moved,
+            None => self.outputs[output].read(b, start.late[output].unwrap_or(start.slot)),
+        };
+        let measured = product(b, self.regression.trust[output], sample);
         Shown { columns, measured, gammas: vec![b.float(0.0); self.q()] }
     }
 
     /// What a sample of an output shows; only inside a loop over the table.
     pub fn shown(&self, b: &mut Builder, now: &Running, output: usize) -> Shown {
         let n = self.n();
-        let place = |column: usize| u16::try_from(column).unwrap_or_else(|_| unreachable!("256 outputs of 256 states"));
         let columns = (0..n).map(|k| b.gain(place(output * n + k))).collect();
-        let sample = b.read_ring(self.outputs[output], now.late[output].unwrap_or(now.slot));
-        let sample = self.product(b, self.regression.trust[output], sample);
+        let sample = match now.moved[output] {
+            Some(moved) => moved,
+            None => self.outputs[output].read(b, now.late[output].unwrap_or(now.slot)),
+        };
+        let sample = product(b, self.regression.trust[output], sample);
         let seen = self.see(b, output, &now.known);
         let mut measured = b.sub(sample, seen);
         let mut gammas: Vec<Value> = now.gammas.iter().map(|state| self.see(b, output, state)).collect();
         if now.late[output].is_some() {
-            let before = now.late[..output].iter().flatten().count();
-            let arrived = b.gain(place(self.outputs.len() * n + before));
+            let arrived = self.arrived(b, now, output);
             measured = b.mul(arrived, measured);
             for value in &mut gammas {
                 *value = b.mul(arrived, *value);
@@ -172,13 +206,6 @@ impl<'a> Window<'a> {
 
     /// Trust times C, of one output.
     fn see(&self, b: &mut Builder, output: usize, state: &[Value]) -> Value {
-        let entries: &[Entry] = &self.regression.shown[output];
-        let terms: Vec<Value> = entries
-            .iter()
-            .zip(state)
-            .filter_map(|(entry, x)| Some(((*entry)?, *x)))
-            .map(|(e, x)| self.product(b, e, x))
-            .collect();
-        b.sum(&terms)
+        row(b, &self.regression.shown[output], state)
     }
 }

@@ -12,7 +12,7 @@ impl Step<'_> {
     /// The unknowns, scaled, and whether they are determined.
     pub(super) fn solve(&mut self, gathered: &Gathered) -> (Vec<Value>, Value) {
         let q = gathered.right.len();
-        let bound = self.lowering.guard.bound;
+        let bound = self.lowering.sensors.guard.bound;
         let mut determined = self.lowering.builder.boolean(true);
         let mut l: Vec<Vec<Value>> = Vec::new();
         let mut pivots: Vec<Value> = Vec::new();
