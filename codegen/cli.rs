@@ -7,8 +7,8 @@ mod commands;
 mod compare;
 mod estimate;
 mod files;
+mod list;
 mod progress;
-mod report;
 mod run;
 mod signals;
 
@@ -205,7 +205,7 @@ fn dispatch(command: &Command) -> Result<End, Failure> {
         Command::Verify { specs, target, common } => commands::verify(specs, target, common),
         Command::Run(options) => run::run(options),
         Command::Compare(options) => compare::compare(options),
-        Command::List { method, common } => commands::list(method.as_deref(), common),
+        Command::List { method, common } => list::list(method.as_deref(), common),
     }
 }
 

@@ -48,9 +48,11 @@ pub use estimator::{Design, Estimator};
 pub use generated::{Generated, VERSION};
 #[doc(inline)]
 pub use internals::{diagnostic, program, promise};
+pub use method::matrix::Cell;
 pub use method::{METHODS, Method, Moment};
 pub use output::{Difference, File, Language, Output, write_whole};
 pub use plant::Plant;
+pub use plant::features::{Feature, Limit};
 pub use spec::Settings;
 
 use promise::one_count::OneCount;

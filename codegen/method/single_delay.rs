@@ -40,7 +40,7 @@ use crate::estimator::window::tune::{self, best_k};
 use crate::expr::Constant;
 use crate::numbers::{seconds, short, trimmed};
 use crate::plant::Plant;
-use crate::plant::features::{Feature, Limit, When};
+use crate::plant::features::{Case, Feature, Limit, holds};
 use crate::real::Precision;
 use crate::sampled::coordinates::Coordinates;
 use crate::sampled::model::{Between, Model, signals_between};
@@ -50,12 +50,10 @@ use crate::spec::reader::Table;
 use gaps::{is_linear, with_gaps};
 use plan::{Plan, refuse_gramian, rest};
 
-const CONTINUOUS: &str = "with `form = \"continuous\"`";
-const INTERMITTENT: &str = "with `intermittent`";
-
 const fn irregular(feature: Feature) -> Limit {
     let (why, instead) = ("measurements come at irregular times", "the method `window`, with NaN for what is missing");
-    Limit::new(feature, why, instead).when(When::Keys(INTERMITTENT))
+    let against = |case: &Case| holds(case.keys::<Keys>().intermittent.is_some());
+    Limit::new(feature, why, instead).when("with `intermittent`", against)
 }
 
 const LIMITS: &[Limit] = &[
@@ -64,7 +62,7 @@ const LIMITS: &[Limit] = &[
         "its integrals from samples are no sums of differences",
         "`form = \"exact\"`, or the method `window`",
     )
-    .when(When::Keys(CONTINUOUS)),
+    .when("with `form = \"continuous\"`", |case| holds(case.keys::<Keys>().form.0)),
     irregular(Feature::Wrap),
     irregular(Feature::Counter),
     irregular(Feature::Gate),
@@ -78,6 +76,17 @@ const LIMITS: &[Limit] = &[
         "its two samples are a window apart",
         "the method `window`, which takes samples of any age",
     ),
+    Limit::new(
+        Feature::Delay,
+        "its theorem has one delay, the window, and a late output would bring a second",
+        "`[observer.window]` takes outputs that arrive late",
+    ),
+    Limit::new(
+        Feature::LeftOut,
+        "its weights are of all samples of the window, and others would be needed for those that are there",
+        "its key `intermittent`, or the method `window`",
+    ),
+    Limit::new(Feature::Windows, "its theorem has one delay, the window", "the method `window`, which takes several"),
 ];
 
 /// The registry's entry.
@@ -154,16 +163,8 @@ fn read_intermittent(table: &mut Table) -> Option<Intermittent> {
 }
 
 impl Keyed for Keys {
-    fn limited(&self, words: &str, _plant: &Plant) -> bool {
-        match words {
-            CONTINUOUS => self.form.0,
-            _ => self.intermittent.is_some(),
-        }
-    }
-
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {
         let mut found = refuse_unknowns(plant, METHOD.name);
-        found.extend(refuse_delays(plant));
         found.extend(self.refuse_discrete(plant));
         let steps = window_steps(plant, &self.window, &mut found);
         let Some(steps) = steps else { return Err(found) };
@@ -222,16 +223,6 @@ impl Keyed for Keys {
             estimator: Arc::new(functional),
         })
     }
-}
-
-fn refuse_delays(plant: &Plant) -> Vec<Diagnostic> {
-    let late = plant.outputs.iter().filter_map(|output| Some((output, output.delay.as_ref()?)));
-    let refuse = |(output, (delay, span)): (&crate::plant::Output, &(Constant, Range<usize>))| {
-        let message = format!("`single-delay` needs outputs without delay; `{}` has one", output.label.name);
-        let error = Diagnostic::error(codes::METHOD_CANNOT, span.clone(), message);
-        error.measured(delay.to_f64().unwrap_or(f64::NAN)).help("`[observer.window]` takes outputs that arrive late")
-    };
-    late.map(refuse).collect()
 }
 
 impl Keys {

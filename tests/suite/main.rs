@@ -76,6 +76,7 @@ mod tool {
     mod diagnostics;
     mod doors;
     mod features;
+    mod limits;
     mod readme;
     mod replay;
     mod replay_library;
