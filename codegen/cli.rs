@@ -32,7 +32,7 @@ struct Arguments {
 enum Command {
     /// Everything up to the design: prints errors and warnings, writes nothing
     Check {
-        /// Specifications; `-` is standard input
+        /// Specifications, patterns such as 'specs/*.toml', folders of them; `-` is standard input
         #[arg(required = true)]
         specs: Vec<PathBuf>,
         #[command(flatten)]
@@ -50,7 +50,7 @@ enum Command {
     },
     /// Writes the generated files, only those that changed
     Generate {
-        /// Specifications; `-` is standard input
+        /// Specifications, patterns such as 'specs/*.toml', folders of them; `-` is standard input
         #[arg(required = true)]
         specs: Vec<PathBuf>,
         #[command(flatten)]
@@ -60,7 +60,7 @@ enum Command {
     },
     /// Compares a folder with what would be generated; exit 2 when stale, missing or left over
     Verify {
-        /// Specifications; `-` is standard input
+        /// Specifications, patterns such as 'specs/*.toml', folders of them; `-` is standard input
         #[arg(required = true)]
         specs: Vec<PathBuf>,
         #[command(flatten)]

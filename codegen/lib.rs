@@ -42,7 +42,7 @@ use internals::{
     decimal, emit, estimator, expr, generated, method, names, numbers, output, plant, real, sampled, spec, step,
 };
 
-pub use build::{Build, build};
+pub use build::{Build, build, specifications};
 pub use diagnostic::{Report, Source};
 pub use estimator::{Design, Estimator};
 pub use generated::{Generated, VERSION};

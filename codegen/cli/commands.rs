@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use deadbeat_codegen::{Difference, Generated, Output, Report};
+use deadbeat_codegen::{Difference, Generated, Output, Report, specifications};
 use serde_json::{Value, json};
 use similar::TextDiff;
 
@@ -11,9 +11,10 @@ use super::{Common, End, Failure, Target, one_standard_input, print, read_spec, 
 /// Designs every specification; all or none.
 fn designed(specs: &[PathBuf], common: &Common) -> Result<Option<Vec<(Generated, Output)>>, Failure> {
     one_standard_input(specs)?;
+    let Some(specs) = found(specs) else { return Ok(None) };
     let mut all = Vec::new();
     let mut wrong = false;
-    for path in specs {
+    for path in &specs {
         let generator = read_spec(path, common.settings())?;
         match generator.design() {
             Ok(generated) => {
@@ -33,6 +34,11 @@ fn designed(specs: &[PathBuf], common: &Common) -> Result<Option<Vec<(Generated,
     Ok((!wrong).then_some(all))
 }
 
+/// The files that arguments stand for; what is wrong with them is shown.
+fn found(arguments: &[PathBuf]) -> Option<Vec<PathBuf>> {
+    specifications(arguments).inspect_err(show).ok()
+}
+
 fn first_double(all: &[(Generated, Output)]) -> Option<&str> {
     let mut names: Vec<&str> = all.iter().map(|(generated, _)| generated.plant.name.as_str()).collect();
     names.sort_unstable();
@@ -42,8 +48,9 @@ fn first_double(all: &[(Generated, Output)]) -> Option<&str> {
 /// `deadbeat check`
 pub fn check(specs: &[PathBuf], common: &Common) -> Result<End, Failure> {
     one_standard_input(specs)?;
+    let Some(specs) = found(specs) else { return Ok(End::Wrong) };
     let mut reports = Vec::new();
-    for path in specs {
+    for path in &specs {
         reports.push(read_spec(path, common.settings())?.check());
     }
     if common.json() {

@@ -77,6 +77,7 @@ mod tool {
     mod doors;
     mod features;
     mod limits;
+    mod options;
     mod readme;
     mod replay;
     mod replay_library;
