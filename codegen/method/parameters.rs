@@ -48,7 +48,6 @@ use two_stages::Paper;
 
 const AS_STATES: &str =
     "the method `window`, with unknowns whose factors are constant as states whose derivative is '0'";
-const EVERY_CALL: &str = "its window takes a sample of every output at every call";
 const JOINT: &str = "leave `form` out: the joint form takes this";
 
 const LIMITS: &[Limit] = &[
@@ -58,8 +57,8 @@ const LIMITS: &[Limit] = &[
         "its regression is of samples in floats",
         "hand over floats, and write what one count is as `quantum`",
     ),
-    Limit::new(Feature::Every, EVERY_CALL, AS_STATES),
-    Limit::new(Feature::Age, EVERY_CALL, AS_STATES),
+    Limit::new(Feature::Every, "its window takes a sample of every output at every call", AS_STATES),
+    Limit::new(Feature::Age, "its regression is of samples taken at the calls", AS_STATES),
     Limit::new(Feature::Delay, "Theorem 3, for discrete plants, has no delay", JOINT)
         .when("of a discrete plant, with `form = \"paper\"`", |case| holds(is_paper(case) && case.plant.discrete)),
     Limit::new(Feature::Delay, "Theorem 2, for a delay, has one unknown", JOINT)

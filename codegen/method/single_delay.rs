@@ -51,7 +51,8 @@ use gaps::{is_linear, with_gaps};
 use plan::{Plan, refuse_gramian, rest};
 
 const fn irregular(feature: Feature) -> Limit {
-    let (why, instead) = ("measurements come at irregular times", "the method `window`, with NaN for what is missing");
+    let why = "for measurements at irregular times only plain samples are proven, without turns, counts or gates";
+    let instead = "the method `window`, with NaN for what is missing";
     let against = |case: &Case| holds(case.keys::<Keys>().intermittent.is_some());
     Limit::new(feature, why, instead).when("with `intermittent`", against)
 }
@@ -68,12 +69,12 @@ const LIMITS: &[Limit] = &[
     irregular(Feature::Gate),
     Limit::new(
         Feature::Every,
-        "it takes the newest sample and the one a window before",
+        "its weights are of a sample at every call of the window",
         "its key `intermittent`, or the method `window`",
     ),
     Limit::new(
         Feature::Age,
-        "its two samples are a window apart",
+        "its weights are of samples taken at the calls",
         "the method `window`, which takes samples of any age",
     ),
     Limit::new(
