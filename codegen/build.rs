@@ -4,7 +4,7 @@
 
 mod pattern;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::env;
 use std::path::{Path, PathBuf};
 
@@ -73,7 +73,7 @@ impl Build {
     /// Adds all files of a pattern, by name: each `*` in its last part stands for any characters, but for a dot in
     /// front. A folder stands for `*.toml` in it.
     ///
-    /// At least one file must be there. One that was asked for already is taken once.
+    /// At least one file must be there. One that was asked for already, however it was written, is taken once.
     pub fn specs(mut self, pattern: impl AsRef<Path>) -> Self {
         self.wanted.push(Wanted::Pattern(pattern.as_ref().to_owned()));
         self
@@ -137,7 +137,7 @@ impl Build {
                 Ok(vec![path.clone()])
             }
             Wanted::Pattern(path) => {
-                let path = if path.is_dir() { path.join("*.toml") } else { path.clone() };
+                let path = of_folder(path);
                 rerun_if_changed(pattern::folder(&path));
                 let files = pattern::files(&path)?;
                 for file in &files {
@@ -146,12 +146,7 @@ impl Build {
                 Ok(files)
             }
         }))?;
-        let mut once: Vec<PathBuf> = vec![];
-        for path in found.into_iter().flatten() {
-            if !once.contains(&path) {
-                once.push(path);
-            }
-        }
+        let once = once(found.into_iter().flatten());
         let nothing = || {
             let message = "no specification is asked for".to_owned();
             Report::without_place("", codes::REQUEST, message, "name one by `.spec(\"motor.toml\")`")
@@ -170,6 +165,31 @@ impl Build {
         let generated = generator.design()?;
         Ok((generator, generated))
     }
+}
+
+/// The files that paths and patterns stand for, each once, as the arguments of `deadbeat generate` do: each `*` in the last
+/// part of a path stands for any characters, and a folder for `*.toml` in it.
+///
+/// # Errors
+/// A pattern that no file fits, or whose folder cannot be read. Whether a path without `*` can be read is not looked at.
+pub fn specifications(named: &[PathBuf]) -> Result<Vec<PathBuf>, Report> {
+    let found = together(named.iter().map(|path| {
+        let is_pattern = !path.exists() && path.file_name().is_some_and(|name| name.to_string_lossy().contains('*'));
+        if path.is_dir() || is_pattern { pattern::files(&of_folder(path)) } else { Ok(vec![path.clone()]) }
+    }))?;
+    Ok(once(found.into_iter().flatten()))
+}
+
+/// A folder's specifications as a pattern; other paths as they are.
+fn of_folder(path: &Path) -> PathBuf {
+    if path.is_dir() { path.join("*.toml") } else { path.to_owned() }
+}
+
+/// Each file once, as it was written first: `./a.toml` and a link to it are `a.toml`.
+fn once(paths: impl Iterator<Item = PathBuf>) -> Vec<PathBuf> {
+    let mut places = BTreeSet::new();
+    // What is not there is itself, and said when it is read.
+    paths.filter(|path| places.insert(path.canonicalize().unwrap_or_else(|_| path.clone()))).collect()
 }
 
 /// All results, or all reports as one.

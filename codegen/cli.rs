@@ -7,8 +7,8 @@ mod commands;
 mod compare;
 mod estimate;
 mod files;
+mod list;
 mod progress;
-mod report;
 mod run;
 mod signals;
 
@@ -32,7 +32,7 @@ struct Arguments {
 enum Command {
     /// Everything up to the design: prints errors and warnings, writes nothing
     Check {
-        /// Specifications; `-` is standard input
+        /// Specifications, patterns such as 'specs/*.toml', folders of them; `-` is standard input
         #[arg(required = true)]
         specs: Vec<PathBuf>,
         #[command(flatten)]
@@ -50,7 +50,7 @@ enum Command {
     },
     /// Writes the generated files, only those that changed
     Generate {
-        /// Specifications; `-` is standard input
+        /// Specifications, patterns such as 'specs/*.toml', folders of them; `-` is standard input
         #[arg(required = true)]
         specs: Vec<PathBuf>,
         #[command(flatten)]
@@ -60,7 +60,7 @@ enum Command {
     },
     /// Compares a folder with what would be generated; exit 2 when stale, missing or left over
     Verify {
-        /// Specifications; `-` is standard input
+        /// Specifications, patterns such as 'specs/*.toml', folders of them; `-` is standard input
         #[arg(required = true)]
         specs: Vec<PathBuf>,
         #[command(flatten)]
@@ -205,7 +205,7 @@ fn dispatch(command: &Command) -> Result<End, Failure> {
         Command::Verify { specs, target, common } => commands::verify(specs, target, common),
         Command::Run(options) => run::run(options),
         Command::Compare(options) => compare::compare(options),
-        Command::List { method, common } => commands::list(method.as_deref(), common),
+        Command::List { method, common } => list::list(method.as_deref(), common),
     }
 }
 

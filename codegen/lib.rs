@@ -42,15 +42,17 @@ use internals::{
     decimal, emit, estimator, expr, generated, method, names, numbers, output, plant, real, sampled, spec, step,
 };
 
-pub use build::{Build, build};
+pub use build::{Build, build, specifications};
 pub use diagnostic::{Report, Source};
 pub use estimator::{Design, Estimator};
 pub use generated::{Generated, VERSION};
 #[doc(inline)]
 pub use internals::{diagnostic, program, promise};
+pub use method::matrix::Cell;
 pub use method::{METHODS, Method, Moment};
 pub use output::{Difference, File, Language, Output, write_whole};
 pub use plant::Plant;
+pub use plant::features::{Feature, Limit};
 pub use spec::Settings;
 
 use promise::one_count::OneCount;

@@ -29,8 +29,10 @@ pub mod robust_exact;
 pub mod single_delay;
 pub mod window;
 
-use crate::plant::features::{Limit, refused};
+use crate::plant::features::{Feature, Limit, refused};
+use std::any::Any;
 use std::fmt::Debug;
+use std::ops::Range;
 use std::sync::Arc;
 
 use crate::diagnostic::{Diagnostic, Report, Source, codes};
@@ -81,7 +83,7 @@ pub struct Method {
 }
 
 /// A method with its keys read.
-pub trait Keyed: Debug + Send + Sync {
+pub trait Keyed: Any + Debug + Send + Sync {
     /// Whether its keys stand for the plant.
     fn chain(&self) -> Chain {
         Chain { order: None, key: Some("order"), instead: "leave out `order`" }
@@ -99,9 +101,9 @@ pub trait Keyed: Debug + Send + Sync {
             .into())
     }
 
-    /// Whether the words of one of the method's limits are true of its keys.
-    fn limited(&self, _words: &str, _plant: &Plant) -> bool {
-        false
+    /// Features that its own keys ask for, with their places.
+    fn asks(&self) -> Vec<(Feature, Range<usize>)> {
+        Vec::new()
     }
 
     /// Designs the observer for a plant, or says everything that stands against it.
@@ -128,21 +130,46 @@ pub struct Moment {
 pub fn read(source: Source, settings: Settings) -> Result<(Spec, Arc<dyn Keyed>), Report> {
     let mut keyed = None;
     let spec = Spec::parse(source, settings, &mut |name, table| {
-        keyed = read_keys(name, table);
-        keyed.as_ref().map(|keyed| keyed.chain())
+        let (method, keys) = read_keys(name, table)?;
+        let chain = (keys.chain(), method.several_outputs());
+        keyed = Some(keys);
+        Some(chain)
     })?;
     let keyed = keyed.unwrap_or_else(|| unreachable!("a specification without an observer is refused"));
     Ok((spec, keyed))
 }
 
 /// What a plant's specification asks for that its method cannot take.
-pub fn refusals(plant: &Plant, name: &str, keyed: &dyn Keyed) -> Vec<Diagnostic> {
+pub fn refusals(plant: &Plant, name: &str, keyed: &(dyn Keyed + 'static)) -> Vec<Diagnostic> {
     let limits = METHODS.iter().find(|method| method.name == name).map_or(&[][..], |method| method.limits);
-    refused(plant, name, limits, |words| keyed.limited(words, plant))
+    refused(plant, name, limits, (keyed, keyed.asks()))
+}
+
+impl Method {
+    /// What stands against a feature whatever the specification.
+    fn never(&self, feature: Feature) -> Option<&'static Limit> {
+        self.against(feature).find(|limit| limit.words().is_none())
+    }
+
+    /// Why it takes one output; empty where it takes more.
+    fn several_outputs(&self) -> String {
+        self.never(Feature::Outputs).map_or(String::new(), |limit| limit.sentence(self.name))
+    }
+
+    /// Refuses what a key of the table asks for that the method never takes, and has no such key for.
+    fn refuse_keys(&self, table: &Table) -> bool {
+        let left_out = table.has_word("missing", "left-out");
+        let asked = [(left_out, Feature::LeftOut, "missing"), (table.has_list("window"), Feature::Windows, "window")];
+        let refused = asked.iter().filter(|(is_asked, ..)| *is_asked).filter_map(|(_, feature, key)| {
+            let limit = self.never(*feature)?;
+            Some(limit.refusal(self.name, table.key_span(key)))
+        });
+        refused.map(|refusal| table.report(refusal)).count() > 0
+    }
 }
 
 /// The keys of a method's table, by the method's name.
-fn read_keys(name: &Text, mut table: Table) -> Option<Arc<dyn Keyed>> {
+fn read_keys(name: &Text, mut table: Table) -> Option<(&'static Method, Arc<dyn Keyed>)> {
     let known = || METHODS.iter().map(|method| method.name);
     let Some(method) = METHODS.iter().find(|method| method.name == name.value) else {
         let message = format!("there is no observer method `{}`", name.value.escape_debug());
@@ -153,9 +180,12 @@ fn read_keys(name: &Text, mut table: Table) -> Option<Arc<dyn Keyed>> {
         });
         return None;
     };
+    if method.refuse_keys(&table) {
+        return None;
+    }
     let keyed = (method.read)(&mut table);
     table.finish();
-    keyed
+    keyed.map(|keyed| (method, keyed))
 }
 
 /// What a unit test of a method needs: a plant from a specification's text.
@@ -165,6 +195,10 @@ pub fn designed(text: &str) -> Result<(Plant, Design), String> {
     let (spec, keyed) = read(source.clone(), Settings::default()).map_err(|r| r.render(false))?;
     let (plant, _) = Plant::new(&spec).map_err(|r| r.render(false))?;
     let plant = keyed.observed(plant).map_err(|found| Report::new(source.clone(), found).render(false))?;
+    let refused = refusals(&plant, &spec.observer.method.value, keyed.as_ref());
+    if !refused.is_empty() {
+        return Err(Report::new(source, refused).render(false));
+    }
     let design = keyed.design(&plant).map_err(|found| Report::new(source, found).render(false))?;
     Ok((plant, design))
 }

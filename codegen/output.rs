@@ -3,6 +3,7 @@
 //! Knows what a specification became, paths. Never knows how anything in a file was computed.
 
 pub mod header;
+mod report;
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -64,6 +65,11 @@ impl Output {
     /// Emits every language, Rust as a module's file.
     pub fn new(generated: &Generated, source: &Source) -> Self {
         Self::through(Door::File, generated, source)
+    }
+
+    /// Emits every language, Rust for `include!` within a module: what a build script writes and the macro expands to.
+    pub fn included(generated: &Generated, source: &Source) -> Self {
+        Self::through(Door::Include, generated, source)
     }
 
     /// Emits every language, Rust for its way into the user's crate.

@@ -249,8 +249,8 @@ pub struct Chain {
 }
 
 /// Reads the keys of `[observer.<method>]`, given the method's name and the table that holds them; mistakes are reported
-/// there and give `None`.
-pub type ReadKeys<'a> = &'a mut dyn FnMut(&Text, Table) -> Option<Chain>;
+/// there and give `None`. The text says why a chain's method takes no second output.
+pub type ReadKeys<'a> = &'a mut dyn FnMut(&Text, Table) -> Option<(Chain, String)>;
 
 impl Spec {
     /// Reads a specification, with `keys` for the observer's own table.

@@ -1,21 +1,20 @@
-//! The commands that do not replay: check, design, generate, verify, list.
+//! The commands that do not replay: check, design, generate, verify.
 
-use std::fmt::Write as _;
 use std::path::PathBuf;
 
-use deadbeat_codegen::internals::method::matrix;
-use deadbeat_codegen::{Difference, Generated, METHODS, Method, Output, Report};
+use deadbeat_codegen::{Difference, Generated, Output, Report, specifications};
 use serde_json::{Value, json};
 use similar::TextDiff;
 
-use super::{Common, End, Failure, Target, one_standard_input, print, read_spec, report, show};
+use super::{Common, End, Failure, Target, one_standard_input, print, read_spec, show};
 
 /// Designs every specification; all or none.
 fn designed(specs: &[PathBuf], common: &Common) -> Result<Option<Vec<(Generated, Output)>>, Failure> {
     one_standard_input(specs)?;
+    let Some(specs) = found(specs) else { return Ok(None) };
     let mut all = Vec::new();
     let mut wrong = false;
-    for path in specs {
+    for path in &specs {
         let generator = read_spec(path, common.settings())?;
         match generator.design() {
             Ok(generated) => {
@@ -35,6 +34,11 @@ fn designed(specs: &[PathBuf], common: &Common) -> Result<Option<Vec<(Generated,
     Ok((!wrong).then_some(all))
 }
 
+/// The files that arguments stand for; what is wrong with them is shown.
+fn found(arguments: &[PathBuf]) -> Option<Vec<PathBuf>> {
+    specifications(arguments).inspect_err(show).ok()
+}
+
 fn first_double(all: &[(Generated, Output)]) -> Option<&str> {
     let mut names: Vec<&str> = all.iter().map(|(generated, _)| generated.plant.name.as_str()).collect();
     names.sort_unstable();
@@ -44,8 +48,9 @@ fn first_double(all: &[(Generated, Output)]) -> Option<&str> {
 /// `deadbeat check`
 pub fn check(specs: &[PathBuf], common: &Common) -> Result<End, Failure> {
     one_standard_input(specs)?;
+    let Some(specs) = found(specs) else { return Ok(End::Wrong) };
     let mut reports = Vec::new();
-    for path in specs {
+    for path in &specs {
         reports.push(read_spec(path, common.settings())?.check());
     }
     if common.json() {
@@ -70,7 +75,7 @@ pub fn design(spec: &PathBuf, common: &Common) -> Result<End, Failure> {
         }
     };
     show(&generated.report);
-    print(&if common.json() { format!("{:#}\n", report::json(&generated)) } else { report::text(&generated) })?;
+    print(&if common.json() { format!("{:#}\n", generated.to_json()) } else { generated.to_text() })?;
     Ok(End::Fine)
 }
 
@@ -78,11 +83,7 @@ pub fn design(spec: &PathBuf, common: &Common) -> Result<End, Failure> {
 pub fn at(spec: &PathBuf, step: usize, common: &Common) -> Result<End, Failure> {
     match read_spec(spec, common.settings())?.at(step) {
         Ok(Ok(moment)) => {
-            print(&if common.json() {
-                format!("{:#}\n", report::moment_json(&moment))
-            } else {
-                report::moment(&moment)
-            })?;
+            print(&if common.json() { format!("{:#}\n", moment.to_json()) } else { moment.to_text() })?;
             Ok(End::Fine)
         }
         Ok(Err(why)) => Err(Failure::Misused(why)),
@@ -152,73 +153,4 @@ fn difference_json(difference: &Difference) -> Value {
         Difference::Stale { path, .. } => ("stale", path),
     };
     json!({ "kind": kind, "path": path.display().to_string() })
-}
-
-/// `deadbeat list`
-pub fn list(method: Option<&str>, common: &Common) -> Result<End, Failure> {
-    if let Some(name) = method {
-        let known = || METHODS.iter().map(|m| m.name).collect::<Vec<_>>().join(", ");
-        let method = METHODS.iter().find(|m| m.name == name);
-        let unknown = || Failure::Misused(format!("there is no method `{name}`; the methods are: {}", known()));
-        let method = method.ok_or_else(unknown)?;
-        print(&if common.json() { format!("{:#}\n", method_json(method)) } else { page(method) })?;
-        return Ok(End::Fine);
-    }
-    if common.json() {
-        let methods: Vec<Value> = METHODS.iter().map(method_json).collect();
-        print(&format!(
-            "{:#}\n",
-            json!({ "methods": methods, "scalars": ["f32", "f64"], "languages": ["rust", "c"] })
-        ))?;
-        return Ok(End::Fine);
-    }
-    let mut text = String::from("Methods\n");
-    for method in METHODS {
-        let _ = writeln!(text, "  {:<16} {}\n  {:<16} source: {}", method.name, method.summary, "", method.source);
-        for (name, what) in method.realizations {
-            let _ = writeln!(text, "  {:<16} realization {name}: {what}", "");
-        }
-    }
-    text += "Features; what `partly` and `-` mean, `deadbeat list METHOD` says\n";
-    text += &matrix::text();
-    text += "Targets\n  rust, f32 or f64   no_std, no allocation; needs the crate `deadbeat`\n";
-    text += "  c, f32 or f64      C99, also C++ and MSVC; needs nothing\n";
-    text += "`deadbeat list METHOD` prints a method's page.\n";
-    print(&text)?;
-    Ok(End::Fine)
-}
-
-fn page(method: &Method) -> String {
-    let mut text = format!("[observer.{}]  {}\nSource: {}\n\nKeys\n", method.name, method.summary, method.source);
-    let width = method.keys.iter().map(|(_, kind, _)| kind.chars().count()).max().unwrap_or(0);
-    let names = method.keys.iter().map(|(key, ..)| key.chars().count()).max().unwrap_or(0).max(12);
-    for (key, kind, meaning) in method.keys {
-        let _ = writeln!(text, "  {key:<names$} {kind:<width$}  {meaning}");
-    }
-    let _ = write!(text, "\nRealizations\n");
-    for (name, what) in method.realizations {
-        let _ = writeln!(text, "  {name:<12} {what}");
-    }
-    if !method.limits.is_empty() {
-        text += "\nCannot take\n";
-        for line in method.limits() {
-            let _ = writeln!(text, "  {line}");
-        }
-    }
-    format!("{text}\n{}", method.page)
-}
-
-fn method_json(method: &Method) -> Value {
-    let keys: Vec<Value> = method
-        .keys
-        .iter()
-        .map(|(key, kind, meaning)| json!({ "key": key, "value": kind, "meaning": meaning }))
-        .collect();
-    let realizations: Vec<&str> = method.realizations.iter().map(|(name, _)| *name).collect();
-    let cannot: Vec<Value> = method
-        .limits
-        .iter()
-        .map(|it| json!({ "key": it.feature.key(), "when": it.when.words(), "why": it.why, "instead": it.instead }))
-        .collect();
-    json!({ "name": method.name, "summary": method.summary, "source": method.source, "keys": keys, "realizations": realizations, "cannot": cannot })
 }

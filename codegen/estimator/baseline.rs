@@ -62,18 +62,58 @@ pub struct AdaptiveWindow {
     pub period: Settled,
 }
 
-/// What no baseline can take.
-pub const LIMITS: &[Limit] = &[
-    Limit::new(Feature::Gate, "it predicts no sample to compare with", "use `pll`, `alpha-beta` or `window`"),
+/// What a filter of the difference quotient cannot take.
+pub const LOW_PASS: &[Limit] = &[
+    GATE,
+    EVERY,
+    AGE,
+    DELAY,
+    ONE_OUTPUT,
     Limit::new(
-        Feature::Every,
-        "it takes one output at every call",
-        "write the time between its samples as `sample_time`",
+        Feature::LeftOut,
+        "it keeps one sample, and a missing one only makes the next difference longer",
+        "leave it out: a missing sample changes nothing",
     ),
-    Limit::new(Feature::Age, "it takes samples at the calls", "use `window`, which takes samples of any age"),
-    Limit::new(Feature::InitAt, "it has no state to start from", "use `pll` or `alpha-beta`"),
+    Limit::new(Feature::Windows, "it has no window", "use `window`, or a specification for each `time_constant`"),
+    INIT_AT,
     POSITIONS,
 ];
+
+/// What the longest line that fits cannot take.
+pub const ADAPTIVE_WINDOW: &[Limit] = &[
+    GATE,
+    EVERY,
+    AGE,
+    DELAY,
+    ONE_OUTPUT,
+    Limit::new(Feature::Windows, "the samples choose its length, up to `longest`", "use `window`"),
+    INIT_AT,
+    POSITIONS,
+];
+
+const GATE: Limit =
+    Limit::new(Feature::Gate, "it predicts no sample to compare with", "use `pll`, `alpha-beta` or `window`");
+const EVERY: Limit = Limit::new(
+    Feature::Every,
+    "without a model nothing says what the signal does at the calls in between",
+    "write the time between its samples as `sample_time`",
+);
+const AGE: Limit = Limit::new(
+    Feature::Age,
+    "its differences are over whole sample times",
+    "use `window`, which takes samples of any age",
+);
+const DELAY: Limit = Limit::new(
+    Feature::Delay,
+    "without a model nothing carries a late sample on to now",
+    "leave it out, and the estimate is as late, or use `window`",
+);
+const ONE_OUTPUT: Limit = Limit::new(
+    Feature::Outputs,
+    "it is the rate of one signal, and without a model another says nothing of it",
+    "put each signal into a file of its own",
+);
+const INIT_AT: Limit = Limit::new(Feature::InitAt, "it has no state to start from", "use `pll` or `alpha-beta`");
 
 impl Baseline {
     /// Calls that the estimate goes back, as far as it does.

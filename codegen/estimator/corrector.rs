@@ -47,7 +47,7 @@ pub mod theorem1;
 use crate::diagnostic::Diagnostic;
 use crate::estimator::Estimator;
 use crate::plant::Plant;
-use crate::plant::features::{Feature, Limit, POSITIONS};
+use crate::plant::features::{Feature, Limit, POSITIONS, nonlinear_term};
 use crate::program::Program;
 use crate::promise::Certificate;
 use crate::sampled::Signal;
@@ -58,13 +58,55 @@ use crate::step::ahead::Ahead;
 pub type Grid = Vec<Vec<Option<Settled>>>;
 
 /// What no method that predicts and corrects can take.
-pub const LIMITS: &[Limit] = &[AGE, POSITIONS];
+pub const LIMITS: &[Limit] = &[IN_BETWEEN, AGE, DELAY, LEFT_OUT, WINDOWS, POSITIONS];
+
+/// The same with a law that gives as many numbers as there are states.
+pub const OF_ONE_OUTPUT: &[Limit] = &[IN_BETWEEN, AGE, DELAY, ONE_OUTPUT, LEFT_OUT, WINDOWS, POSITIONS];
+
+/// The same for chains of integrators, which have no nonlinear term.
+pub const OF_A_CHAIN: &[Limit] = &[AGE, DELAY, ONE_OUTPUT, LEFT_OUT, WINDOWS, POSITIONS];
+
+/// A nonlinear term must be known wherever it acts.
+pub const IN_BETWEEN: Limit = Limit::new(
+    Feature::Every,
+    "the prediction of every call has the term in it, and no sample says what it is in between",
+    "measure it at every call, or linearise the term",
+)
+.when("of an output in a nonlinear term", nonlinear_term);
 
 /// A gain is of a sample taken at a call.
 pub const AGE: Limit = Limit::new(
     Feature::Age,
-    "its gains are of samples taken at the calls",
+    "its gain is of the age 0, and another age would need another gain",
     "use `window`, which takes samples of any age",
+);
+
+/// A correction is of now.
+pub const DELAY: Limit = Limit::new(
+    Feature::Delay,
+    "it corrects the state now, and what a late sample shows is an earlier one, which is not kept",
+    "use `window`, which takes late outputs",
+);
+
+/// A law of n numbers.
+pub const ONE_OUTPUT: Limit = Limit::new(
+    Feature::Outputs,
+    "its law gives a number for each state, the gain of one output, and leaves open how several share in it",
+    "keep the one that shows every state, or use `window` or `kalman`, which take any number",
+);
+
+/// Nothing that could be left out is kept.
+pub const LEFT_OUT: Limit = Limit::new(
+    Feature::LeftOut,
+    "it keeps no samples, and a missing one is one correction less whatever is asked for",
+    "leave it out, or use `window`",
+);
+
+/// A state that is carried on is of all samples.
+pub const WINDOWS: Limit = Limit::new(
+    Feature::Windows,
+    "its estimate is carried on from the first sample, and no window ends it",
+    "use `window`, or an observer for each speed",
 );
 
 /// The nearest way out for a method that needs a sample at every call.

@@ -35,9 +35,10 @@ pub const METHOD: Method = Method {
     keys: &[
         ("deviation", "unit of the output", "how far a sample may be off the line; one count, or the noise"),
         ("longest", "s", "the longest window, a whole number of samples, at most 64"),
+        ("missing", "\"left-out\"", "what becomes of a missing sample: the line goes through those that are there"),
     ],
     realizations: &[("search", "every window is fitted and looked at in every call")],
-    limits: crate::estimator::baseline::LIMITS,
+    limits: crate::estimator::baseline::ADAPTIVE_WINDOW,
     page: include_str!("adaptive-window.md"),
     read,
 };
@@ -54,6 +55,7 @@ struct Keys {
 
 fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
     table.choice("realization", &[("auto", ()), ("search", ())], ());
+    table.choice("missing", &[("left-out", ())], ());
     let (deviation, longest) = (table.quantity("deviation"), table.quantity("longest"));
     if deviation.is_none() && !table.has("deviation") {
         table.missing("deviation", "write `deviation = …`, in the output's unit: one count, or the noise");

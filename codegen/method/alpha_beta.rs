@@ -40,7 +40,7 @@ pub const METHOD: Method = Method {
         ("gamma", "number", "with `order = 3` and `beta`: by h^2, of the acceleration"),
     ],
     realizations: &[("recursive", "the state is carried on from call to call, and corrected")],
-    limits: corrector::LIMITS,
+    limits: corrector::OF_A_CHAIN,
     page: include_str!("alpha-beta.md"),
     read,
 };

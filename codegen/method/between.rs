@@ -6,7 +6,6 @@ use super::window::VERDICT_BITS;
 use crate::decimal::show;
 use crate::diagnostic::{Diagnostic, codes};
 use crate::estimator::corrector::interval;
-use crate::expr::Symbol;
 use crate::numbers::count;
 use crate::plant::{Output, Plant};
 use crate::real::{Precision, equilibrated_columns, rank, singular_values};
@@ -14,29 +13,6 @@ use crate::sampled::model::Model;
 
 /// The most calls from one sample to the next of a gain that stays.
 const MOST_CALLS: usize = 1_000;
-
-/// A nonlinear term is evaluated at every call, and so must be what it is of.
-pub(super) fn refuse_nonlinear(plant: &Plant, found: &mut Vec<Diagnostic>) {
-    for injection in &plant.injections {
-        let symbols = injection.symbols();
-        let slow = plant.outputs.iter().enumerate().find(|(o, output)| {
-            let shows = |symbol: &Symbol| match symbol {
-                Symbol::State(j) => plant.states[*j].measured.iter().any(|(shown, _)| shown == o),
-                _ => false,
-            };
-            output.every > 1 && symbols.iter().any(shows)
-        });
-        if let Some((_, output)) = slow {
-            let name = &output.label.name;
-            let message = format!("`{}` needs a sample of `{name}` at every call", injection.text);
-            let error = Diagnostic::error(codes::METHOD_CANNOT, injection.node.span.clone(), message);
-            let label = format!("measured at every {} calls", output.every);
-            found.push(
-                error.context(output.every_span.clone(), label).help("measure it at every call, or linearise the term"),
-            );
-        }
-    }
-}
 
 /// As many samples as a number of calls has, which must end with one; mistakes are collected.
 pub(super) fn samples(

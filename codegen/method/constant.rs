@@ -3,7 +3,6 @@
 use std::sync::Arc;
 
 use super::between;
-use super::prescribed_time::{refuse_delays, refuse_several_outputs};
 use super::window::{constants, refuse_unknowns, resolution_warnings, time_warning, verdict};
 use crate::diagnostic::Diagnostic;
 use crate::estimator::Design;
@@ -41,12 +40,9 @@ pub(super) struct Asked<'a> {
 /// What stands against a method of this shape before its keys are read.
 pub(super) fn refuse(plant: &Plant, method: &str, outputs: Outputs) -> Vec<Diagnostic> {
     let mut found = refuse_unknowns(plant, method);
-    refuse_delays(plant, method, &mut found);
     if outputs == Outputs::One {
-        refuse_several_outputs(plant, method, &mut found);
         between::refuse_rare(plant, &mut found);
     }
-    between::refuse_nonlinear(plant, &mut found);
     found
 }
 

@@ -11,11 +11,10 @@ use std::ops::Range;
 use super::between;
 use crate::decimal::show;
 use crate::diagnostic::{Diagnostic, codes};
-use crate::estimator::corrector::{self, After, Counting, ONE_RATE, interval, law, theorem1};
+use crate::estimator::corrector::{After, Counting, interval, law, theorem1};
 use crate::expr::{Constant, List};
 use crate::numbers::count;
 use crate::plant::Plant;
-use crate::plant::features::{Feature, Limit, POSITIONS, When};
 use crate::program::Scalar;
 use crate::real::{Precision, Rational, Real};
 use crate::sampled::samples::whole_samples;
@@ -50,18 +49,6 @@ pub fn start(plant: &mut Plant, initial: Option<&(Vec<Quantity>, Range<usize>)>)
     states.zip(values.into_iter().flatten()).for_each(|(state, value)| state.initial = value);
     Ok(())
 }
-
-/// What no countdown can take.
-pub const LIMITS: &[Limit] = &[
-    Limit::new(
-        Feature::Every,
-        "its countdown waits for a lost sample, and is then out of step with the calls at which the others are due",
-        ONE_RATE,
-    )
-    .when(When::Plant("of several outputs", |plant| plant.outputs.len() > 1)),
-    corrector::AGE,
-    POSITIONS,
-];
 
 /// The most states of a countdown: the gains' powers and their exact exponents grow with them.
 const MOST_STATES: usize = 12;

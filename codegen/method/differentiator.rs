@@ -17,7 +17,7 @@ use std::sync::Arc;
 
 use super::countdown::{self, Countdown};
 use super::order::{self, Order};
-use super::prescribed_time::{exactly, filter, promised, refuse_delays, summary, weak};
+use super::prescribed_time::{exactly, filter, promised, summary, weak};
 use super::window::{constants, refuse_unknowns, resolution_warnings, verdict};
 use super::{Keyed, Method, Moment, between, noise};
 use crate::diagnostic::{Diagnostic, codes};
@@ -25,7 +25,7 @@ use crate::estimator::Design;
 use crate::estimator::corrector::design::{Promise, Request, build};
 use crate::estimator::corrector::exact::Law;
 use crate::estimator::corrector::implicit_euler::{Gains, ImplicitEuler, output_map};
-use crate::estimator::corrector::{After, interval};
+use crate::estimator::corrector::{self, After, interval};
 use crate::plant::Plant;
 use crate::promise::{Certificate, Convergence, NamedMatrix};
 use crate::real::{Precision, Rational, Real};
@@ -54,7 +54,7 @@ pub const METHOD: Method = Method {
         countdown::INITIAL,
     ],
     realizations: &[("recursive", "the scaled chain is carried on from call to call, and corrected")],
-    limits: countdown::LIMITS,
+    limits: corrector::OF_A_CHAIN,
     page: include_str!("differentiator.md"),
     read,
 };
@@ -196,7 +196,6 @@ impl Keyed for Keys {
 impl Keys {
     fn countdown(&self, plant: &Plant) -> Result<Countdown, Vec<Diagnostic>> {
         let mut found = refuse_unknowns(plant, METHOD.name);
-        refuse_delays(plant, METHOD.name, &mut found);
         between::refuse_rare(plant, &mut found);
         if self.countdown.after.0 == After::Handover && self.lags() {
             let message = "a Kalman gain is of the exact chain, and this prediction is not";

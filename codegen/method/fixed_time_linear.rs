@@ -14,7 +14,6 @@ use crate::spec::Chain;
 use std::sync::Arc;
 
 use super::order::{self, Order};
-use super::prescribed_time::{refuse_delays, refuse_several_outputs};
 use super::window::{constants, refuse_unknowns, resolution_warnings, time_warning, verdict};
 use super::{Keyed, Method, between};
 use crate::diagnostic::{Diagnostic, codes};
@@ -36,7 +35,7 @@ pub const METHOD: Method = Method {
     source: "Efimov and Orlov 2024, Z(T); for a chain of integrators backward differences",
     keys: &[order::ORDER, order::PREDICTION],
     realizations: &[("recursive", "the state is carried on from call to call, and corrected")],
-    limits: corrector::LIMITS,
+    limits: corrector::OF_ONE_OUTPUT,
     page: include_str!("fixed-time-linear.md"),
     read,
 };
@@ -59,10 +58,7 @@ impl Keyed for Keys {
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {
         let mut found = refuse_unknowns(plant, METHOD.name);
-        refuse_delays(plant, METHOD.name, &mut found);
-        refuse_several_outputs(plant, METHOD.name, &mut found);
         between::refuse_rare(plant, &mut found);
-        between::refuse_nonlinear(plant, &mut found);
         if !found.is_empty() {
             return Err(found);
         }

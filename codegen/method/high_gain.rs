@@ -46,7 +46,7 @@ pub const METHOD: Method = Method {
         ("L", "list", "instead of `poles`: L_1 … L_n, above 0"),
     ],
     realizations: &[("recursive", "the state is carried on from call to call, and corrected")],
-    limits: corrector::LIMITS,
+    limits: corrector::OF_ONE_OUTPUT,
     page: include_str!("high-gain.md"),
     read,
 };

@@ -47,12 +47,27 @@ use crate::spec::{Quantity, Rows};
 
 const LIMITS: &[Limit] = &[
     POSITIONS,
-    Limit::new(Feature::Every, "its calls are counted in its own table", "write `measured_every` there"),
+    Limit::new(
+        Feature::Every,
+        "its resets are of all outputs at once, so that they have one rate",
+        "write `measured_every` in its own table",
+    ),
     Limit::new(
         Feature::Age,
         "its resets are of samples taken at the calls",
         "use `window`, which takes samples of any age",
     ),
+    Limit::new(
+        Feature::Delay,
+        "its copies are of what is not measured now, and a late sample measures nothing now",
+        "use the method `window`, which does",
+    ),
+    Limit::new(
+        Feature::LeftOut,
+        "it keeps no samples, and its copies run on the prediction of a missing one",
+        "leave it out, or use `window`",
+    ),
+    Limit::new(Feature::Windows, "one reset sets both copies, and ends the one window", "use `window`"),
 ];
 
 /// The registry's entry.
@@ -137,7 +152,6 @@ const DIGITS_LEFT: f64 = 1e2;
 impl Keyed for Keys {
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {
         let mut found = refuse_unknowns(plant, METHOD.name);
-        refuse_delays(plant, &mut found);
         self.refuse_discrete(plant, &mut found);
         let period = window_steps(plant, &self.window, &mut found);
         refuse_steps(plant, &self.hold, &mut found);
@@ -300,17 +314,6 @@ impl Keys {
         let outputs: Vec<&str> = plant.outputs.iter().map(|o| o.label.name.as_str()).collect();
         let from = if self.gain.is_some() { "" } else { ", found by search" };
         format!("L = [{rows}] (rows {}, columns {}){from}", states.join(", "), outputs.join(", "))
-    }
-}
-
-fn refuse_delays(plant: &Plant, found: &mut Vec<Diagnostic>) {
-    for output in &plant.outputs {
-        let Some((delay, span)) = &output.delay else { continue };
-        if !delay.is_zero() {
-            let message = format!("the method `impulsive` takes no delayed output, as `{}` is", output.label.name);
-            let error = Diagnostic::error(codes::METHOD_CANNOT, span.clone(), message);
-            found.push(error.measured(delay.to_f64().unwrap_or(f64::NAN)).help("use the method `window`, which does"));
-        }
     }
 }
 

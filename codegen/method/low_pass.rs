@@ -32,7 +32,7 @@ pub const METHOD: Method = Method {
     source: "shipped by SimpleFOC; v = a v + (1 - a) q, a = T/(T + h)",
     keys: &[("time_constant", "s", "T of the filter; 0 leaves the held difference as it is")],
     realizations: &[("recursive", "the filter is carried on from call to call")],
-    limits: crate::estimator::baseline::LIMITS,
+    limits: crate::estimator::baseline::LOW_PASS,
     page: include_str!("low-pass.md"),
     read,
 };

@@ -33,7 +33,7 @@ pub const METHOD: Method = Method {
     source: "Luenberger 1964; Ackermann's formula for the current form (Franklin, Powell and Workman, 8.2)",
     keys: &[("poles", "rad/s", "as many as states, below 0: numbers, or pairs [re, im] with their conjugates")],
     realizations: &[("recursive", "the state is carried on from call to call, and corrected")],
-    limits: corrector::LIMITS,
+    limits: corrector::OF_ONE_OUTPUT,
     page: include_str!("luenberger.md"),
     read,
 };

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::{METHODS, Method};
-use crate::plant::features::{Feature, Limit, When};
+use crate::plant::features::{Feature, Limit};
 
 /// What a method says to a feature.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,7 +24,7 @@ impl Method {
 
     /// Whether it takes a feature.
     pub fn cell(&self, feature: Feature) -> Cell {
-        match self.against(feature).map(|limit| matches!(limit.when, When::Always)).max() {
+        match self.against(feature).map(|limit| limit.words().is_none()).max() {
             None => Cell::Taken,
             Some(false) => Cell::Partly,
             Some(true) => Cell::Refused,
@@ -34,30 +34,11 @@ impl Method {
     /// Its limits in words, a line each.
     pub fn limits(&self) -> Vec<String> {
         let line = |limit: &Limit| {
-            let when = limit.when.words().map_or(String::new(), |words| format!(" {words}"));
-            format!("`{}`{when}: {}; {}", limit.feature.key(), limit.why, limit.instead)
+            let when = limit.words().map_or(String::new(), |words| format!(" {words}"));
+            format!("{}{when}: {}; {}", limit.feature.words(), limit.why, limit.instead)
         };
         self.limits.iter().map(line).collect()
     }
-}
-
-/// The matrix as text, a method in each line.
-pub fn text() -> String {
-    let keys = Feature::ALL.map(Feature::key);
-    let heads = keys.map(|key| format!("{key:<6}"));
-    let mut text = format!("  {:<17} {}\n", "", heads.join("  ").trim_end());
-    for method in METHODS {
-        let cells = Feature::ALL.iter().zip(keys).map(|(feature, key)| {
-            let cell = match method.cell(*feature) {
-                Cell::Taken => "yes",
-                Cell::Partly => "partly",
-                Cell::Refused => "-",
-            };
-            format!("{cell:<width$}", width = key.len().max(6))
-        });
-        let _ = writeln!(text, "  {:<17} {}", method.name, cells.collect::<Vec<_>>().join("  ").trim_end());
-    }
-    text
 }
 
 /// The matrix and its reasons as Markdown.

@@ -34,7 +34,7 @@ use crate::estimator::window::settle::settle;
 use crate::estimator::window::solve::{Choice, Exact};
 use crate::numbers::{seconds, trimmed};
 use crate::plant::Plant;
-use crate::plant::features::{Feature, Limit, POSITIONS, When};
+use crate::plant::features::{Against, Case, Feature, Limit, POSITIONS, holds};
 use crate::promise::{Convergence, NamedMatrix};
 use crate::sampled::model::signals;
 use crate::sampled::samples::refuse_much_work;
@@ -48,22 +48,49 @@ use two_stages::Paper;
 
 const AS_STATES: &str =
     "the method `window`, with unknowns whose factors are constant as states whose derivative is '0'";
-const EVERY_CALL: &str = "its window takes a sample of every output at every call";
-const STAGES: &str = "with `form = \"paper\"`, where the factor of an unknown varies";
+const JOINT: &str = "leave `form` out: the joint form takes this";
 
 const LIMITS: &[Limit] = &[
-    Limit::new(Feature::InitAt, "its two stages have no model of an unknown whose factor varies", "`form = \"joint\"`")
-        .when(When::Keys(STAGES)),
     POSITIONS,
-    Limit::new(Feature::Every, EVERY_CALL, AS_STATES),
-    Limit::new(Feature::Age, EVERY_CALL, AS_STATES),
+    Limit::new(Feature::Every, "its window takes a sample of every output at every call", AS_STATES),
+    Limit::new(Feature::Age, "its regression is of samples taken at the calls", AS_STATES),
+    Limit::new(Feature::Delay, "Theorem 3, for discrete plants, has no delay", JOINT)
+        .when("of a discrete plant, with `form = \"paper\"`", |case| holds(is_paper(case) && case.plant.discrete)),
+    Limit::new(Feature::Delay, "Theorem 2, for a delay, has one unknown", JOINT)
+        .when("with several unknowns and `form = \"paper\"`", second_unknown),
+    Limit::new(Feature::Outputs, "the paper's theorems are for one output", JOINT)
+        .when("with `form = \"paper\"`", |case| holds(is_paper(case))),
+    Limit::new(
+        Feature::LeftOut,
+        "only what is designed for is offered: whether the samples that are there tell the unknowns apart would have \
+         to be judged in every call",
+        AS_STATES,
+    ),
+    Limit::new(
+        Feature::Windows,
+        "only what is designed for is offered: what tells its unknowns apart is judged for one window",
+        AS_STATES,
+    ),
     Limit::new(
         Feature::Ahead,
         "the factor of an unknown varies, and nothing says how it goes on",
         "leave it out, and carry the estimate on where the factor is known",
     )
-    .when(When::Plant("where the factor of an unknown varies", |plant| !varying(plant).is_empty())),
+    .when("where the factor of an unknown varies", |case| holds(!varying(case.plant).is_empty())),
+    Limit::new(Feature::InitAt, "its two stages have no model of an unknown whose factor varies", "`form = \"joint\"`")
+        .when("with `form = \"paper\"`, where the factor of an unknown varies", |case| {
+            holds(is_paper(case) && !varying(case.plant).is_empty())
+        }),
 ];
+
+fn is_paper(case: &Case) -> bool {
+    case.keys::<Keys>().paper.is_some()
+}
+
+fn second_unknown(case: &Case) -> Against {
+    let second = case.plant.unknowns.get(1).filter(|_| is_paper(case))?;
+    Some(Some((second.label.span.clone(), "the second unknown")))
+}
 
 /// The registry's entry.
 pub const METHOD: Method = Method {
@@ -142,10 +169,6 @@ struct Frame {
 }
 
 impl Keyed for Keys {
-    fn limited(&self, _words: &str, plant: &Plant) -> bool {
-        self.paper.is_some() && !varying(plant).is_empty()
-    }
-
     fn observed(&self, plant: Plant) -> Result<Plant, Vec<Diagnostic>> {
         if plant.unknowns.is_empty() {
             let error = Diagnostic::error(codes::METHOD_CANNOT, plant.span.clone(), "there is no unknown to estimate");

@@ -33,7 +33,7 @@ pub const METHOD: Method = Method {
     source: "Gardner 2005, chapter 2; sampled as motor drives ship it",
     keys: &[("bandwidth", "rad/s", "b: kp = 2 b, ki = b^2; below half the sampling rate, 1/(2 h)")],
     realizations: &[("recursive", "the state is carried on from call to call, and corrected")],
-    limits: corrector::LIMITS,
+    limits: corrector::OF_A_CHAIN,
     page: include_str!("pll.md"),
     read,
 };

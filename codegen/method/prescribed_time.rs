@@ -24,10 +24,10 @@ use crate::estimator::Design;
 use crate::estimator::corrector::chain::Chain;
 use crate::estimator::corrector::design::{Built, Promise, Request, build};
 use crate::estimator::corrector::exact::Law;
-use crate::estimator::corrector::{After, Counting, interval, law};
-use crate::expr::List;
-use crate::numbers::{count, seconds, short, trimmed};
+use crate::estimator::corrector::{self, After, Counting, interval, law};
+use crate::numbers::{seconds, short, trimmed};
 use crate::plant::Plant;
+use crate::plant::features::{Feature, Limit, POSITIONS, holds};
 use crate::promise::{Convergence, NamedMatrix};
 use crate::real::{Matrix, Precision, Real};
 use crate::sampled::model::{Model, signals};
@@ -36,6 +36,23 @@ use crate::spec::reader::Table;
 
 /// Bits of what is reported of one step.
 const REPORTED_BITS: usize = 512;
+
+const LIMITS: &[Limit] = &[
+    Limit::new(
+        Feature::Every,
+        "its countdown waits for a lost sample, and is then out of step with the calls at which the others are due",
+        corrector::ONE_RATE,
+    )
+    .when("of several outputs", |case| holds(case.plant.outputs.len() > 1)),
+    corrector::IN_BETWEEN,
+    corrector::AGE,
+    corrector::DELAY,
+    corrector::ONE_OUTPUT
+        .when("but with the law `kalman`", |case| holds(case.keys::<Keys>().filter.law_span().is_none())),
+    corrector::LEFT_OUT,
+    corrector::WINDOWS,
+    POSITIONS,
+];
 
 /// The registry's entry.
 pub const METHOD: Method = Method {
@@ -57,7 +74,7 @@ pub const METHOD: Method = Method {
         noise::KEYS[2],
     ],
     realizations: &[("recursive", "the state is carried on from call to call, and corrected")],
-    limits: countdown::LIMITS,
+    limits: LIMITS,
     page: include_str!("prescribed-time.md"),
     read,
 };
@@ -134,12 +151,7 @@ impl Keyed for Keys {
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {
         let mut found = refuse_unknowns(plant, METHOD.name);
-        refuse_delays(plant, METHOD.name, &mut found);
-        if self.filter.law_span().is_none() {
-            refuse_several_outputs(plant, METHOD.name, &mut found);
-        }
         between::refuse_rare(plant, &mut found);
-        between::refuse_nonlinear(plant, &mut found);
         let gains = self.gains(plant, &mut found);
         let after = self.countdown.after.0;
         let noise = self.filter.steady(plant, after, gains.as_ref().and_then(Gains::filter), &mut found);
@@ -309,29 +321,4 @@ fn without_rounding(matrix: &Matrix) -> Vec<Vec<f64>> {
     let half = i64::try_from(REPORTED_BITS / 2).unwrap_or(i64::MAX);
     let least = matrix.max_abs().shifted(-half);
     matrix.map(|x| if x.cmp_abs(&least).is_lt() { Real::zero(x.precision()) } else { x.clone() }).to_f64()
-}
-
-/// Correctors take each sample when it is of now.
-pub fn refuse_delays(plant: &Plant, method: &str, found: &mut Vec<Diagnostic>) {
-    for output in &plant.outputs {
-        let Some((delay, span)) = &output.delay else { continue };
-        if !delay.is_zero() {
-            let message = format!("the method `{method}` takes no delayed output, as `{}` is", output.label.name);
-            let error = Diagnostic::error(codes::METHOD_CANNOT, span.clone(), message);
-            found.push(error.measured(delay.to_f64().unwrap_or(f64::NAN)).help("use the method `window`, which does"));
-        }
-    }
-}
-
-/// M and q are of one output.
-pub fn refuse_several_outputs(plant: &Plant, method: &str, found: &mut Vec<Diagnostic>) {
-    if plant.outputs.len() > 1 {
-        let names: Vec<&str> = plant.outputs.iter().map(|o| o.label.name.as_str()).collect();
-        let message = format!("the method `{method}` takes one output, not {}", List(&names));
-        let error = Diagnostic::error(codes::METHOD_CANNOT, plant.span.clone(), message);
-        let error = error.measured(count(plant.outputs.len()));
-        found.push(
-            error.help("keep the one that shows every state, or use `window` or `kalman`, which take any number"),
-        );
-    }
 }

@@ -17,7 +17,6 @@ use crate::spec::Chain;
 use std::sync::Arc;
 
 use super::order::{self, Order};
-use super::prescribed_time::{refuse_delays, refuse_several_outputs};
 use super::window::{constants, refuse_unknowns, resolution_warnings, time_warning, verdict};
 use super::{Keyed, Method};
 use crate::diagnostic::{Diagnostic, codes};
@@ -40,10 +39,15 @@ use crate::spec::reader::Table;
 const LIMITS: &[Limit] = &[
     Limit::new(
         Feature::Every,
-        "what n small innovations in a row prove of its error is proven for an innovation at every call",
+        "only what is proven is offered: that n small innovations in a row bound its error, for a correction at every \
+         call; missing is the bound for the calls between two corrections",
         ONE_RATE,
     ),
     corrector::AGE,
+    corrector::DELAY,
+    corrector::ONE_OUTPUT,
+    corrector::LEFT_OUT,
+    corrector::WINDOWS,
     POSITIONS,
 ];
 
@@ -107,8 +111,6 @@ impl Keyed for Keys {
 
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {
         let mut found = refuse_unknowns(plant, METHOD.name);
-        refuse_delays(plant, METHOD.name, &mut found);
-        refuse_several_outputs(plant, METHOD.name, &mut found);
         refuse_size(plant, &mut found);
         if !found.is_empty() {
             return Err(found);

@@ -40,7 +40,7 @@ use crate::estimator::window::tune::{self, best_k};
 use crate::expr::Constant;
 use crate::numbers::{seconds, short, trimmed};
 use crate::plant::Plant;
-use crate::plant::features::{Feature, Limit, When};
+use crate::plant::features::{Feature, Limit, holds, is_coarse};
 use crate::real::Precision;
 use crate::sampled::coordinates::Coordinates;
 use crate::sampled::model::{Between, Model, signals_between};
@@ -50,34 +50,42 @@ use crate::spec::reader::Table;
 use gaps::{is_linear, with_gaps};
 use plan::{Plan, refuse_gramian, rest};
 
-const CONTINUOUS: &str = "with `form = \"continuous\"`";
-const INTERMITTENT: &str = "with `intermittent`";
-
-const fn irregular(feature: Feature) -> Limit {
-    let (why, instead) = ("measurements come at irregular times", "the method `window`, with NaN for what is missing");
-    Limit::new(feature, why, instead).when(When::Keys(INTERMITTENT))
-}
-
 const LIMITS: &[Limit] = &[
     Limit::new(
         Feature::Wrap,
         "its integrals from samples are no sums of differences",
         "`form = \"exact\"`, or the method `window`",
     )
-    .when(When::Keys(CONTINUOUS)),
-    irregular(Feature::Wrap),
-    irregular(Feature::Counter),
-    irregular(Feature::Gate),
+    .when("with `form = \"continuous\"`", |case| holds(case.keys::<Keys>().form.0)),
+    Limit::new(
+        Feature::Counter,
+        "it solves for positions, and single precision does not hold every count of 32 bits",
+        "write `wrap`, a turn of at most 2^24 counts, or `scalar = \"f64\"`",
+    )
+    .when("of 32 bits in f32, unless `wrap` is a turn of at most 2^24 counts, with `intermittent`", |case| {
+        holds(case.keys::<Keys>().intermittent.is_some() && is_coarse(case))
+    }),
     Limit::new(
         Feature::Every,
-        "it takes the newest sample and the one a window before",
+        "its weights are of a sample at every call of the window",
         "its key `intermittent`, or the method `window`",
     ),
     Limit::new(
         Feature::Age,
-        "its two samples are a window apart",
+        "its weights are of samples taken at the calls",
         "the method `window`, which takes samples of any age",
     ),
+    Limit::new(
+        Feature::Delay,
+        "its theorem has one delay, the window, and a late output would bring a second",
+        "`[observer.window]` takes outputs that arrive late",
+    ),
+    Limit::new(
+        Feature::LeftOut,
+        "its weights are of all samples of the window, and others would be needed for those that are there",
+        "its key `intermittent`, or the method `window`",
+    ),
+    Limit::new(Feature::Windows, "its theorem has one delay, the window", "the method `window`, which takes several"),
 ];
 
 /// The registry's entry.
@@ -154,16 +162,8 @@ fn read_intermittent(table: &mut Table) -> Option<Intermittent> {
 }
 
 impl Keyed for Keys {
-    fn limited(&self, words: &str, _plant: &Plant) -> bool {
-        match words {
-            CONTINUOUS => self.form.0,
-            _ => self.intermittent.is_some(),
-        }
-    }
-
     fn design(&self, plant: &Plant) -> Result<Design, Vec<Diagnostic>> {
         let mut found = refuse_unknowns(plant, METHOD.name);
-        found.extend(refuse_delays(plant));
         found.extend(self.refuse_discrete(plant));
         let steps = window_steps(plant, &self.window, &mut found);
         let Some(steps) = steps else { return Err(found) };
@@ -222,16 +222,6 @@ impl Keyed for Keys {
             estimator: Arc::new(functional),
         })
     }
-}
-
-fn refuse_delays(plant: &Plant) -> Vec<Diagnostic> {
-    let late = plant.outputs.iter().filter_map(|output| Some((output, output.delay.as_ref()?)));
-    let refuse = |(output, (delay, span)): (&crate::plant::Output, &(Constant, Range<usize>))| {
-        let message = format!("`single-delay` needs outputs without delay; `{}` has one", output.label.name);
-        let error = Diagnostic::error(codes::METHOD_CANNOT, span.clone(), message);
-        error.measured(delay.to_f64().unwrap_or(f64::NAN)).help("`[observer.window]` takes outputs that arrive late")
-    };
-    late.map(refuse).collect()
 }
 
 impl Keys {

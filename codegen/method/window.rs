@@ -21,6 +21,7 @@
 
 mod ages;
 mod left_out;
+mod limits;
 mod rates;
 mod several;
 
@@ -41,6 +42,7 @@ use crate::estimator::window::{Functional, Way};
 use crate::expr::List;
 use crate::numbers::{count, seconds, short, trimmed};
 use crate::plant::Plant;
+use crate::plant::features::Feature;
 use crate::program::Scalar;
 use crate::promise::{Convergence, Fir, NamedMatrix};
 use crate::real::{Matrix, Precision, Real, equilibrated_columns, rank, singular_values};
@@ -73,7 +75,7 @@ pub const METHOD: Method = Method {
         ("realization", REALIZATION_CHOICES, "how the step computes it"),
     ],
     realizations: &REALIZATIONS,
-    limits: left_out::LIMITS,
+    limits: limits::LIMITS,
     page: include_str!("window.md"),
     read,
 };
@@ -124,8 +126,10 @@ pub(super) const VERDICT_BITS: usize = 256;
 const VERDICTS: [usize; 3] = [VERDICT_BITS, 1_024, 4_096];
 
 impl Keyed for Keys {
-    fn limited(&self, words: &str, plant: &Plant) -> bool {
-        self.leaves_out(plant) && (words == left_out::LEFT_OUT || left_out::late_gate(plant))
+    fn asks(&self) -> Vec<(Feature, Range<usize>)> {
+        let second = self.windows.get(1).map(|second| (Feature::Windows, second.span()));
+        let left_out = self.missing.0 == Some(Missing::LeftOut);
+        second.into_iter().chain(left_out.then(|| (Feature::LeftOut, self.missing.1.clone()))).collect()
     }
 
     fn observed(&self, plant: Plant) -> Result<Plant, Vec<Diagnostic>> {

@@ -1,10 +1,15 @@
 //! What a specification may ask of any method, and who cannot do it.
 
+mod asked;
+
+use std::any::Any;
 use std::ops::Range;
 
 use crate::diagnostic::{Diagnostic, codes};
+use crate::expr::Symbol;
 use crate::plant::{Output, Plant};
 use crate::program::Scalar;
+use asked::{Asked, coasted_twice, contradiction, of_all, of_outputs};
 
 /// What a specification may ask of any method.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,6 +24,16 @@ pub enum Feature {
     Every,
     /// Samples that come with their age.
     Age,
+    /// Outputs that arrive late.
+    Delay,
+    /// More than one output.
+    Outputs,
+    /// Samples that are missing.
+    Missing,
+    /// Estimates from the samples that are there, without a prediction for those that are not.
+    LeftOut,
+    /// Estimates from several windows at once.
+    Windows,
     /// The estimate for later.
     Ahead,
     /// A start from a known state.
@@ -29,10 +44,23 @@ pub enum Feature {
 
 impl Feature {
     /// All of them, in the order of lists.
-    pub const ALL: [Self; 8] =
-        [Self::Wrap, Self::Counter, Self::Gate, Self::Every, Self::Age, Self::Ahead, Self::InitAt, Self::Coasted];
+    pub const ALL: [Self; 13] = [
+        Self::Wrap,
+        Self::Counter,
+        Self::Gate,
+        Self::Every,
+        Self::Age,
+        Self::Delay,
+        Self::Outputs,
+        Self::Missing,
+        Self::LeftOut,
+        Self::Windows,
+        Self::Ahead,
+        Self::InitAt,
+        Self::Coasted,
+    ];
 
-    /// The key that asks for it.
+    /// The head of its column: the key that asks for it, or a word where no key does.
     pub const fn key(self) -> &'static str {
         match self {
             Self::Wrap => "wrap",
@@ -40,9 +68,33 @@ impl Feature {
             Self::Gate => "gate",
             Self::Every => "every",
             Self::Age => "age",
+            Self::Delay => "delay",
+            Self::Outputs => "outputs",
+            Self::Missing => "NaN",
+            Self::LeftOut => "left-out",
+            Self::Windows => "windows",
             Self::Ahead => "ahead",
             Self::InitAt => "init_at",
             Self::Coasted => "coasted",
+        }
+    }
+
+    /// What asks for it, behind "cannot take".
+    pub const fn words(self) -> &'static str {
+        match self {
+            Self::Wrap => "`wrap`",
+            Self::Counter => "`sample`",
+            Self::Gate => "`gate`",
+            Self::Every => "`every`",
+            Self::Age => "`age`",
+            Self::Delay => "`delay`",
+            Self::Outputs => "several outputs",
+            Self::Missing => "a missing sample",
+            Self::LeftOut => "`missing = \"left-out\"`",
+            Self::Windows => "several windows",
+            Self::Ahead => "`ahead`",
+            Self::InitAt => "`init_at`",
+            Self::Coasted => "`coasted`",
         }
     }
 }
@@ -53,7 +105,7 @@ pub struct Limit {
     /// What is asked for.
     pub feature: Feature,
     /// For which specifications.
-    pub when: When,
+    pub(crate) when: When,
     /// The reason: a clause behind "the method `x` cannot take `key`: ".
     pub why: &'static str,
     /// The nearest way out.
@@ -65,19 +117,39 @@ pub struct Limit {
 pub enum When {
     /// For all.
     Always,
-    /// For some plants.
-    Plant(&'static str, fn(&Plant) -> bool),
-    /// For some of the method's keys; the method knows which by the words.
-    Keys(&'static str),
+    /// Where this finds something against it.
+    Where(&'static str, fn(&Case) -> Against),
 }
 
-impl When {
-    /// The words; none where it is for all.
-    pub const fn words(self) -> Option<&'static str> {
-        match self {
-            Self::Always => None,
-            Self::Plant(words, _) | Self::Keys(words) => Some(words),
-        }
+/// What a method finds against a feature in one specification: nothing, or it with the place and the name of the
+/// culprit beside the key, where there is one.
+pub type Against = Option<Option<(Range<usize>, &'static str)>>;
+
+/// Against a feature where this is true, with no other culprit.
+pub fn holds(is: bool) -> Against {
+    is.then_some(None)
+}
+
+/// A feature that one specification asks for.
+pub struct Case<'a> {
+    /// The plant.
+    pub plant: &'a Plant,
+    /// The place of the output that asks, where one does.
+    asking: Option<usize>,
+    /// The method's keys.
+    keys: &'a dyn Any,
+}
+
+impl Case<'_> {
+    /// The output that asks, with its place; the first where the feature is not of one output.
+    pub fn output(&self) -> (usize, &Output) {
+        let place = self.asking.unwrap_or(0);
+        (place, &self.plant.outputs[place])
+    }
+
+    /// The keys of the method whose limit it is.
+    pub fn keys<K: 'static>(&self) -> &K {
+        self.keys.downcast_ref().unwrap_or_else(|| unreachable!("a method's limits look at its own keys"))
     }
 }
 
@@ -89,59 +161,59 @@ impl Limit {
 
     /// The same for some.
     #[must_use]
-    pub const fn when(self, when: When) -> Self {
-        Self { when, ..self }
+    pub const fn when(self, words: &'static str, against: fn(&Case) -> Against) -> Self {
+        Self { when: When::Where(words, against), ..self }
+    }
+
+    /// For which specifications it stands, as a clause behind the key; none where it is for all.
+    pub const fn words(&self) -> Option<&'static str> {
+        match self.when {
+            When::Always => None,
+            When::Where(words, _) => Some(words),
+        }
+    }
+
+    /// The sentence of a refusal.
+    pub fn sentence(&self, method: &str) -> String {
+        format!("the method `{method}` cannot take {}: {}", self.feature.words(), self.why)
+    }
+
+    /// Whether it stands in a case, and the culprit.
+    fn against(&self, case: &Case) -> Against {
+        match self.when {
+            When::Always => holds(true),
+            When::Where(_, against) => against(case),
+        }
+    }
+
+    /// The refusal at a place. What two keys of one table ask of each other does not go together; the rest a method
+    /// cannot do.
+    pub fn refusal(&self, method: &str, span: Range<usize>) -> Diagnostic {
+        let of_its_keys = matches!(self.feature, Feature::LeftOut | Feature::Windows);
+        let both = of_its_keys && self.words().is_some();
+        let code = if both { codes::BAD_COMBINATION } else { codes::METHOD_CANNOT };
+        Diagnostic::error(code, span, self.sentence(method)).help(self.instead)
     }
 }
 
-/// What a plant's specification asks for that its method cannot do; `keys` says whether a limit's words are true of the
-/// method's keys.
-pub fn refused(plant: &Plant, method: &str, limits: &[Limit], keys: impl Fn(&str) -> bool) -> Vec<Diagnostic> {
-    let stands = |limit: &&Limit| match limit.when {
-        When::Always => true,
-        When::Plant(_, holds) => holds(plant),
-        When::Keys(words) => keys(words),
+/// What a plant's specification asks for that its method cannot do; `asked` is what the method's own keys ask for.
+pub fn refused(
+    plant: &Plant,
+    method: &str,
+    limits: &[Limit],
+    (keys, asked): (&dyn Any, Vec<(Feature, Range<usize>)>),
+) -> Vec<Diagnostic> {
+    let refusal = |asked: Asked| {
+        let case = Case { plant, asking: asked.output, keys };
+        let mut limits = limits.iter().filter(|limit| limit.feature == asked.feature);
+        let (limit, culprit) = limits.find_map(|limit| Some((limit, limit.against(&case)?)))?;
+        let error = limit.refusal(method, asked.span).context(plant.span.clone(), "the method");
+        let error = Diagnostic { measured: asked.measured, ..error };
+        Some(culprit.into_iter().fold(error, |error, (span, label)| error.context(span, label)))
     };
-    let refusal = |(feature, span): (Feature, Range<usize>)| {
-        let limit = limits.iter().filter(|limit| limit.feature == feature).find(stands)?;
-        let message = format!("the method `{method}` cannot take `{}`: {}", feature.key(), limit.why);
-        let error = Diagnostic::error(codes::METHOD_CANNOT, span, message);
-        Some(error.context(plant.span.clone(), "the method").help(limit.instead))
-    };
-    asked(plant).into_iter().filter_map(refusal).chain(contradiction(plant)).chain(coasted_twice(plant)).collect()
-}
-
-/// An estimate for later is none to start from.
-fn contradiction(plant: &Plant) -> Option<Diagnostic> {
-    let (_, span) = plant.ahead.as_ref().filter(|_| plant.init_at)?;
-    let message = "`init_at` starts from an estimate of now, and `ahead` gives estimates for later";
-    let error = Diagnostic::error(codes::METHOD_CANNOT, span.clone(), message);
-    Some(error.help("leave one of them out"))
-}
-
-/// A state that is called as the field which counts the calls since a sample was accepted.
-fn coasted_twice(plant: &Plant) -> Option<Diagnostic> {
-    let state = plant.states.iter().find(|state| plant.coasted && state.label.name == "coasted")?;
-    let message = "`coasted` names two fields of the estimate";
-    let error = Diagnostic::error(codes::DUPLICATE_NAME, state.label.span.clone(), message);
-    Some(error.label("so are the calls since the newest accepted sample called").help("rename the state"))
-}
-
-/// What is asked for, with the places.
-fn asked(plant: &Plant) -> Vec<(Feature, Range<usize>)> {
-    let mut asked = Vec::new();
-    for output in &plant.outputs {
-        let name = || output.label.span.clone();
-        asked.extend(output.wrap.iter().map(|wrap| (Feature::Wrap, wrap.span.clone())));
-        asked.extend(output.counter.iter().map(|_| (Feature::Counter, name())));
-        asked.extend(output.gate.iter().map(|gate| (Feature::Gate, gate.span.clone())));
-        asked.extend((output.every > 1).then(|| (Feature::Every, output.every_span.clone())));
-        asked.extend(output.aged.iter().map(|aged| (Feature::Age, aged.span.clone())));
-    }
-    asked.extend(plant.ahead.iter().map(|(_, span)| (Feature::Ahead, span.clone())));
-    asked.extend(plant.init_at.then(|| (Feature::InitAt, plant.span.clone())));
-    asked.extend(plant.coasted.then(|| (Feature::Coasted, plant.span.clone())));
-    asked
+    let asked = asked.into_iter().map(|(feature, span)| Asked { feature, span, output: None, measured: None });
+    let all = of_outputs(plant).into_iter().chain(of_all(plant)).chain(asked);
+    all.filter_map(refusal).chain(contradiction(plant)).chain(coasted_twice(plant)).collect()
 }
 
 /// A method that works with positions cannot take every counter: singles do not hold every count of 32 bits, only those
@@ -151,19 +223,28 @@ pub const POSITIONS: Limit = Limit::new(
     "it works with positions, and single precision does not hold every count of 32 bits",
     "write `wrap`, a turn of at most 2^24 counts, or `scalar = \"f64\"`, or use `window`, which takes differences",
 )
-.when(When::Plant("of 32 bits in f32, unless `wrap` is a turn of at most 2^24 counts", has_coarse_counts));
+.when("of 32 bits in f32, unless `wrap` is a turn of at most 2^24 counts", |case| holds(is_coarse(case)));
 
-fn has_coarse_counts(plant: &Plant) -> bool {
-    let holds = |output: &Output| {
-        let Some(counter) = output.counter else { return true };
-        let turn = output.wrap.as_ref().and_then(|wrap| match &output.quantum {
-            Some(quantum) => wrap.turn.over(quantum).ok()?.to_f64().ok(),
-            None => wrap.turn.to_f64().ok(),
-        });
-        // Below, a single is every count of a turn; inputs are taken out of floats.
-        let turns =
-            turn.is_some_and(|turn| turn <= 16_777_216.0) && output.feedthrough.iter().all(|factor| factor.is_zero());
-        plant.scalar == Scalar::F64 || counter.bits == 16 || turns
+/// Whether single precision holds some of an output's counts only.
+pub fn is_coarse(case: &Case) -> bool {
+    let output = case.output().1;
+    let turn = output.wrap.as_ref().and_then(|wrap| match &output.quantum {
+        Some(quantum) => wrap.turn.over(quantum).ok()?.to_f64().ok(),
+        None => wrap.turn.to_f64().ok(),
+    });
+    // Below, a single is every count of a turn; what is late or has inputs in it works with floats.
+    let bare = output.delay.is_none() && output.feedthrough.iter().all(|factor| factor.is_zero());
+    let turns = bare && turn.is_some_and(|turn| turn <= 16_777_216.0);
+    case.plant.scalar == Scalar::F32 && output.counter.is_some_and(|counter| counter.bits != 16) && !turns
+}
+
+/// A nonlinear term of an output, with its place.
+pub fn nonlinear_term(case: &Case) -> Against {
+    let (place, plant) = (case.output().0, case.plant);
+    let shows = |symbol: &Symbol| match symbol {
+        Symbol::State(j) => plant.states[*j].measured.iter().any(|(shown, _)| *shown == place),
+        _ => false,
     };
-    !plant.outputs.iter().all(holds)
+    let term = plant.injections.iter().find(|term| term.symbols().iter().any(shows))?;
+    Some(Some((term.node.span.clone(), "this nonlinear term")))
 }

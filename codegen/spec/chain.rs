@@ -11,6 +11,7 @@ use super::reader::Table;
 use super::{Chain, Disturbance, Input, Matrices, Named, Spec, State, Text};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::names::reserved;
+use crate::numbers::count;
 
 /// How a file gives the plant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -37,14 +38,15 @@ impl Form {
     }
 }
 
-/// Puts the chain in the place of the plant that the file does not declare; mistakes are reported to `top`.
-pub(super) fn stand_in(spec: &mut Spec, order: usize, chain: Chain, top: &Table) {
+/// Puts the chain in the place of the plant that the file does not declare; mistakes are reported to `top`, that of a
+/// second output as `one` says it.
+pub(super) fn stand_in(spec: &mut Spec, order: usize, chain: Chain, (one, top): (&str, &Table)) {
     refuse_another_plant(spec, chain, top);
     if top.has("states") || top.has("plant") {
         return;
     }
     let [output] = spec.outputs.as_mut_slice() else {
-        return refuse_outputs(spec, chain, top);
+        return refuse_outputs(spec, chain, (one, top));
     };
     if let Some(value) = &output.value {
         let message = "the output of a chain of integrators is its first state";
@@ -79,13 +81,14 @@ fn refuse_another_plant(spec: &Spec, chain: Chain, top: &Table) {
     }
 }
 
-fn refuse_outputs(spec: &Spec, chain: Chain, top: &Table) {
+fn refuse_outputs(spec: &Spec, chain: Chain, (one, top): (&str, &Table)) {
     // None at all is reported where outputs are read.
     let [_, second, ..] = spec.outputs.as_slice() else { return };
-    let method = || format!("[observer.{}]", spec.observer.method.value);
-    let subject = chain.key.map_or_else(method, |key| format!("`{key}`"));
-    let message = format!("{subject} is for one output, and there are {}", spec.outputs.len());
-    let error = Diagnostic::error(codes::BAD_COMBINATION, second.named.name.span.clone(), message);
+    let outputs = spec.outputs.len();
+    let error = Diagnostic::error(codes::BAD_COMBINATION, second.named.name.span.clone(), one);
+    let error = error.label(format!("one of {outputs}")).measured(count(outputs));
+    let label = chain.key.map_or_else(|| "the method".to_owned(), |key| format!("`{key}` is for one output"));
+    let error = error.context(spec.observer.method.span.clone(), label);
     top.report(error.help("put each signal into a file of its own"));
 }
 

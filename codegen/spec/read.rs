@@ -41,7 +41,7 @@ pub(super) fn read(source: &Source, settings: Settings, keys: ReadKeys, found: &
     let parameters = read_parameters(&mut top);
     let matrices = read_matrices(&mut top);
     let observer = read_observer(&mut top, keys);
-    let form = Form::of(&top, matrices.as_ref(), observer.as_ref().map(|(_, chain)| chain.order));
+    let form = Form::of(&top, matrices.as_ref(), observer.as_ref().map(|(_, (chain, _))| chain.order));
     let (states, next) = read_states(&mut top, matrices.as_ref(), form);
     let inputs = read_inputs(&mut top);
     let outputs = read_outputs(&mut top, form);
@@ -50,7 +50,7 @@ pub(super) fn read(source: &Source, settings: Settings, keys: ReadKeys, found: &
     let target = read_target(&mut top);
     top.finish();
     let target = target?;
-    let (observer, chain) = observer?;
+    let (observer, (chain, one)) = observer?;
     let mut spec = Spec {
         source: source.clone(),
         name: name?,
@@ -68,7 +68,7 @@ pub(super) fn read(source: &Source, settings: Settings, keys: ReadKeys, found: &
         target: Target { scalar: settings.scalar.unwrap_or(target.scalar), ..target },
     };
     if let Form::Chain(order) = form {
-        chain::stand_in(&mut spec, order, chain, &whole());
+        chain::stand_in(&mut spec, order, chain, (&one, &whole()));
     }
     check_names(&spec, found);
     Some(spec)
@@ -316,7 +316,7 @@ fn read_entries<T>(
     entries
 }
 
-fn read_observer(top: &mut Table, keys: ReadKeys) -> Option<(Observer, Chain)> {
+fn read_observer(top: &mut Table, keys: ReadKeys) -> Option<(Observer, (Chain, String))> {
     if !top.has("observer") {
         top.missing("observer", "write `[observer.window]` with `window = …` s, or another method (`deadbeat list`)");
     }

@@ -111,6 +111,11 @@ impl<'a> Table<'a> {
         self.entries.get(key).is_some_and(|value| matches!(value.get_ref(), DeValue::String(_)))
     }
 
+    /// Whether a key is there and its value is this word, without reading it.
+    pub fn has_word(&self, key: &str, word: &str) -> bool {
+        self.entries.get(key).is_some_and(|value| matches!(value.get_ref(), DeValue::String(text) if text == word))
+    }
+
     /// One word of a few; the default when the key is absent.
     pub fn choice<T: Copy>(&mut self, key: &str, choices: &[(&str, T)], default: T) -> T {
         let Some(text) = self.text(key) else { return default };

@@ -77,6 +77,8 @@ mod tool {
     mod diagnostics;
     mod doors;
     mod features;
+    mod limits;
+    mod options;
     mod readme;
     mod replay;
     mod replay_library;

@@ -5,10 +5,7 @@
 use std::path::Path;
 use std::str::FromStr as _;
 
-use deadbeat_codegen::internals::emit;
-use deadbeat_codegen::internals::emit::Door;
-use deadbeat_codegen::internals::output::header;
-use deadbeat_codegen::{Generator, Settings};
+use deadbeat_codegen::{File, Generator, Language, Output, Settings};
 use proc_macro::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 use syn::parse::{ParseStream, Parser as _};
 
@@ -44,8 +41,8 @@ fn expand(arguments: &str) -> Result<String, String> {
     let text = std::fs::read_to_string(&file).map_err(|error| format!("cannot read {}: {error}", file.display()))?;
     let generator = Generator::new(&text, &path).with(settings);
     let generated = generator.design().map_err(|report| report.render(false))?;
-    let header = header::header(&generated, generator.source(), deadbeat_codegen::Language::Rust);
-    let items = emit::rust(&generated.program, &header, Door::Include);
+    let output = Output::included(&generated, generator.source()).only(&[Language::Rust]);
+    let items: String = output.files().iter().map(|File { text, .. }| text.as_str()).collect();
     // The compiler expands again when the specification changes.
     Ok(format!("const _: &str = include_str!({:?});\n{items}", file.display().to_string()))
 }

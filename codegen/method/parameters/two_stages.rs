@@ -74,21 +74,12 @@ fn cannot(plant: &Plant, message: &str, span: Option<Range<usize>>) -> Vec<Diagn
     vec![Diagnostic::error(codes::METHOD_CANNOT, span, message).help(JOINT)]
 }
 
-/// The paper's theorems are for one output; the second and third for one unknown.
+/// The paper's third theorem is for one unknown.
 fn refuse_sizes(plant: &Plant) -> Result<(), Vec<Diagnostic>> {
-    let delayed = plant.outputs.first().is_some_and(|output| output.delay.is_some());
-    if plant.outputs.len() > 1 {
-        return Err(cannot(plant, "`form = \"paper\"` takes one output", Some(plant.outputs[1].label.span.clone())));
-    }
-    if plant.unknowns.len() > 1 && (plant.discrete || delayed) {
-        let theorem = if plant.discrete { "Theorem 3, for discrete plants," } else { "Theorem 2, for a delay," };
-        let span = plant.unknowns[1].label.span.clone();
-        return Err(cannot(plant, &format!("{theorem} takes one unknown"), Some(span)));
-    }
-    match plant.outputs.first().and_then(|output| output.delay.as_ref()).filter(|_| plant.discrete) {
-        Some((_, span)) => Err(cannot(plant, "Theorem 3, for discrete plants, takes no delay", Some(span.clone()))),
-        None => Ok(()),
-    }
+    let second = plant.unknowns.get(1).filter(|_| plant.discrete);
+    second.map_or(Ok(()), |second| {
+        Err(cannot(plant, "Theorem 3, for discrete plants, takes one unknown", Some(second.label.span.clone())))
+    })
 }
 
 /// tau, T, `tau_i` and h in samples.

@@ -5,15 +5,9 @@ use std::ops::Range;
 use crate::decimal::show;
 use crate::diagnostic::{Diagnostic, codes};
 use crate::estimator::window::irregular::degree;
-use crate::expr::{Constant, Symbol};
-use crate::numbers::{count, seconds};
+use crate::numbers::seconds;
 use crate::plant::{Aged, Output, Plant};
 use crate::sampled::Signal;
-
-/// The most states of a plant that is no chain of integrators.
-const MOST_STATES: usize = 3;
-/// The most states of a chain of integrators.
-const LONGEST_CHAIN: usize = 4;
 
 /// Reports what stands against ages.
 pub(super) fn check(plant: &Plant, signals: &[Signal], steps: usize) -> Vec<Diagnostic> {
@@ -21,8 +15,7 @@ pub(super) fn check(plant: &Plant, signals: &[Signal], steps: usize) -> Vec<Diag
     for (o, output) in plant.outputs.iter().enumerate() {
         let Some(aged) = &output.aged else { continue };
         let mistakes = [
-            refuse_plant(plant, o, aged),
-            refuse_sensor(plant, o, output, aged),
+            refuse_fast(plant, o, aged),
             refuse_name(plant, output, aged),
             refuse_oldest(plant, signals, steps, output, aged),
         ];
@@ -31,69 +24,18 @@ pub(super) fn check(plant: &Plant, signals: &[Signal], steps: usize) -> Vec<Diag
     found
 }
 
-fn refuse(aged: &Aged, message: String) -> Diagnostic {
-    Diagnostic::error(codes::METHOD_CANNOT, aged.span.clone(), message)
-}
-
-fn refuse_plant(plant: &Plant, output: usize, aged: &Aged) -> Option<Diagnostic> {
-    if plant.discrete {
-        let message = "a discrete plant has nothing between samples".to_owned();
-        return Some(refuse(aged, message).help("write the plant in continuous time, or leave out `age`"));
-    }
-    let n = plant.states.len();
-    let chain = n <= LONGEST_CHAIN && is_nilpotent(&plant.a);
-    if n > MOST_STATES && !chain {
-        let message = format!("samples with an age are for at most {MOST_STATES} states, {LONGEST_CHAIN} in a chain");
-        let error = refuse(aged, message).label(format!("this plant has {n}")).measured(count(n));
-        return Some(error.help("fewer states, or samples at the times of calls: `missing = \"left-out\"`"));
-    }
+fn refuse_fast(plant: &Plant, output: usize, aged: &Aged) -> Option<Diagnostic> {
     match degree(plant, output, &aged.most) {
         Ok(Some(_)) => None,
         Ok(None) => {
             let most = aged.most.to_f64().unwrap_or(f64::NAN);
             let message = format!("the plant is too fast for samples that are up to {} s old", show(most));
-            let error = refuse(aged, message).label("24 powers of the age do not suffice").measured(most);
+            let error = Diagnostic::error(codes::METHOD_CANNOT, aged.span.clone(), message);
+            let error = error.label("24 powers of the age do not suffice").measured(most);
             Some(error.help("a smaller `age_max`, or a model without the fast states"))
         }
         Err(mut found) => found.pop(),
     }
-}
-
-/// Whether the powers of A end: chains of integrators.
-fn is_nilpotent(a: &[Vec<Constant>]) -> bool {
-    let n = a.len();
-    let mut reaches: Vec<Vec<bool>> = a.iter().map(|row| row.iter().map(|x| !x.is_zero()).collect()).collect();
-    for k in 0..n {
-        for i in 0..n {
-            for j in 0..n {
-                reaches[i][j] |= reaches[i][k] && reaches[k][j];
-            }
-        }
-    }
-    (0..n).all(|i| !reaches[i][i])
-}
-
-fn refuse_sensor(plant: &Plant, o: usize, output: &Output, aged: &Aged) -> Option<Diagnostic> {
-    let name = &output.label.name;
-    if let Some((_, delay)) = &output.delay {
-        let message = format!("`{name}` has a delay and an age");
-        return Some(refuse(aged, message).context(delay.clone(), "the delay").help("add the delay to the age"));
-    }
-    if let Some(gate) = &output.gate {
-        let message = format!("`{name}` has a gate and an age");
-        let error = refuse(aged, message).context(gate.span.clone(), "predictions are of the time of a call");
-        return Some(error.help("leave out one of them"));
-    }
-    if output.feedthrough.iter().any(|factor| !factor.is_zero()) {
-        let message = format!("`{name}` has an input in it and an age");
-        return Some(refuse(aged, message).help("take the input out of the sample before the call"));
-    }
-    let shows =
-        |symbol: &Symbol| matches!(symbol, Symbol::State(j) if plant.states[*j].measured.iter().any(|(m, _)| *m == o));
-    let injection = plant.injections.iter().find(|injection| injection.symbols().iter().any(shows))?;
-    let message = format!("`{}` needs `{name}` at the time of each call", injection.text);
-    let error = refuse(aged, message).context(injection.node.span.clone(), "this nonlinear term");
-    Some(error.help("measure it at the calls, without `age`"))
 }
 
 fn refuse_name(plant: &Plant, output: &Output, aged: &Aged) -> Option<Diagnostic> {

@@ -12,7 +12,6 @@ use crate::estimator::window::settle::settle;
 use crate::estimator::window::solve::Choice;
 use crate::numbers::{count, seconds, short, trimmed};
 use crate::plant::Plant;
-use crate::plant::features::{Feature, Limit, When};
 use crate::promise::Convergence;
 use crate::sampled::Signal;
 use crate::sampled::model::Between;
@@ -31,26 +30,6 @@ pub(super) const WORDS: [(&str, Missing); 2] = [("predicted", Missing::Predicted
 
 /// The most operations of a step: 10 ms of a processor that does forty million a second.
 const MOST_OPERATIONS: usize = 400_000;
-
-/// The words of a limit that stands wherever samples are left out.
-pub(super) const LEFT_OUT: &str = "where samples are left out";
-
-/// What the window cannot take where samples are left out.
-pub(super) const LIMITS: &[Limit] = &[
-    Limit::new(Feature::Gate, "the sample is late, and no prediction of it is kept", "leave out `gate` or `delay`")
-        .when(When::Keys("of a late output, where samples are left out")),
-    Limit::new(
-        Feature::Counter,
-        "rows of samples that are there are solved in floats",
-        "hand over floats with `quantum` and `wrap`, or leave out `missing`",
-    )
-    .when(When::Keys(LEFT_OUT)),
-];
-
-/// Whether a late output has a gate.
-pub(super) fn late_gate(plant: &Plant) -> bool {
-    plant.outputs.iter().any(|output| output.delay.is_some() && output.gate.is_some())
-}
 
 impl Keys {
     /// Whether the step solves for the rows that are there: asked for, or the only way.
@@ -145,10 +124,6 @@ impl Keys {
         if self.wanted != Wanted::Auto {
             let message = "samples that are left out can be computed in one way only";
             refuse(&self.wanted_span, message, "leave out `realization`, or write `missing = \"predicted\"`");
-        }
-        if let Some(second) = self.windows.get(1) {
-            let message = "samples that are left out have one window";
-            refuse(&second.span(), message, "write one length, or `missing = \"predicted\"`");
         }
         if self.hold.0 == Between::Cubics {
             let message = "no cubic runs through samples that are left out";

@@ -5,7 +5,6 @@ use std::ops::Range;
 use crate::decimal::show;
 use crate::diagnostic::{Diagnostic, codes};
 use crate::estimator::window::irregular::Pattern;
-use crate::expr::Symbol;
 use crate::numbers::count;
 use crate::plant::Plant;
 use crate::real::Precision;
@@ -26,14 +25,9 @@ pub(super) fn pattern(
     let every: Vec<usize> = plant.outputs.iter().map(|output| output.every).collect();
     let latest = delays.iter().max().copied().unwrap_or(0);
     let pattern = Pattern::new(every, delays);
-    let mut found = refuse_needed_in_between(plant);
     let Some(period) = pattern.period().filter(|period| period.saturating_mul(steps + 1) <= MOST_PHASES) else {
-        found.push(too_many_phases(plant, &pattern, steps));
-        return Err(found);
+        return Err(vec![too_many_phases(plant, &pattern, steps)]);
     };
-    if !found.is_empty() {
-        return Err(found);
-    }
     if period > 1 {
         let model = Model::new(plant, &[], Precision::bits(VERDICT_BITS))?;
         let n = plant.states.len();
@@ -45,23 +39,6 @@ pub(super) fn pattern(
         }
     }
     Ok(pattern)
-}
-
-/// A nonlinear term needs its samples at every call.
-fn refuse_needed_in_between(plant: &Plant) -> Vec<Diagnostic> {
-    let mut found = Vec::new();
-    for (o, output) in plant.outputs.iter().enumerate().filter(|(_, output)| output.every > 1) {
-        let needs = |symbol: &Symbol| matches!(symbol, Symbol::State(j) if plant.states[*j].measured.iter().any(|(m, _)| *m == o));
-        let Some(injection) = plant.injections.iter().find(|injection| injection.symbols().iter().any(needs)) else {
-            continue;
-        };
-        let message = format!("`{}` needs `{}` at every call", injection.text, output.label.name);
-        let error = Diagnostic::error(codes::METHOD_CANNOT, output.every_span.clone(), message)
-            .context(injection.node.span.clone(), "this nonlinear term")
-            .measured(count(output.every));
-        found.push(error.help("measure it at every call, or `[observer.impulsive]` with `measured_every`"));
-    }
-    found
 }
 
 fn too_many_phases(plant: &Plant, pattern: &Pattern, steps: usize) -> Diagnostic {

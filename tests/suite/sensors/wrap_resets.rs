@@ -1,6 +1,6 @@
-//! Claim: two copies that are reset, and a regression, estimate from folded angles what they estimate from unfolded ones,
+//! Claim: two copies that are reset, a regression, and windows with samples at irregular times estimate from folded angles what they estimate from unfolded ones,
 //! also through gaps; single precision loses nothing after any number of turns; a counter gives the same bits wherever it
-//! stands, whatever its turn; and a gate of the copies makes an outlier a missing sample, and follows a true jump.
+//! stands, whatever its turn; and a gate makes an outlier a missing sample, and follows a true jump.
 
 #![allow(clippy::cast_precision_loss, reason = "counts of calls and samples are small")]
 
@@ -16,12 +16,16 @@ use plant::{designed_in, edited};
 const H: f64 = 5e-3;
 
 /// What moves, and who observes it.
-const PLANTS: [(&str, &str, &str); 5] = [
+const PLANTS: [(&str, &str, &str); 9] = [
     ("0", "", "[observer.impulsive]\nwindow = 0.05"),
     ("-19.6*sin(q) - 0.5*dq", "", "[observer.impulsive]\nwindow = 0.04"),
     ("-19.6*sin(q) - 0.5*dq", "", "[observer.impulsive]\nwindow = 0.08\nmeasured_every = 2\nunproved = 'accept'"),
     ("load", "[unknowns]\nload = {}\n", "[observer.parameters]\nwindow = 0.2"),
     ("load - 19.6*sin(q)", "[unknowns]\nload = {}\n", "[observer.parameters]\nwindow = 0.2"),
+    ("load", "[unknowns]\nload = {}\n", "[observer.parameters]\nwindow = 0.2\nform = 'paper'"),
+    ("0", "", "[observer.single-delay]\nwindow = 0.05\nintermittent = { min = 0.005, max = 0.02 }"),
+    ("-19.6*sin(q) - 0.5*dq", "", "[observer.single-delay]\nwindow = 0.05\nintermittent = { min = 0.005, max = 0.02 }"),
+    ("0", "", "[observer.window]\nwindow = 0.05\nmissing = 'left-out'"),
 ];
 
 fn specification((law, unknowns, observer): (&str, &str, &str)) -> String {
@@ -161,7 +165,7 @@ fn shown(count: i64, sample: &str) -> f64 {
 fn outliers_are_missing_samples() {
     let motion = |k: usize| 0.4 * (3.0 * H * k as f64).sin();
     let outlying = |k: usize| k > 60 && k.is_multiple_of(37);
-    for plant in [PLANTS[0], PLANTS[1]] {
+    for plant in [PLANTS[0], PLANTS[1], PLANTS[6], PLANTS[7], PLANTS[8]] {
         for scalar in [Scalar::F32, Scalar::F64] {
             let gated = edited(&specification(plant), "wrap = '2*pi'", "gate = 0.2");
             let generated = designed_in(&gated, scalar);

@@ -19,7 +19,7 @@ fn named(name: &str) -> String {
 }
 
 /// A folder `specs` with the motor twice, as `first` and `second`, a hidden file and one that is no specification.
-fn two_motors(test: &str) -> PathBuf {
+pub fn two_motors(test: &str) -> PathBuf {
     let folder = empty_folder(test);
     put(&folder.join("specs/a.toml"), &named("first"));
     put(&folder.join("specs/b.toml"), &named("second"));
@@ -106,6 +106,32 @@ fn requests_that_cannot_be_met() {
     // A file stands where the folder should be.
     let report = Build::new().spec(specs.join("a.toml")).out_dir(specs.join("notes.txt")).run().expect_err("a file");
     assert!(report.render(false).contains("cannot write into"), "{}", report.render(false));
+}
+
+/// Claim: a file that is asked for twice is one file, however it is written; the command line takes it so too. Two files
+/// of one name stay a mistake.
+#[test]
+fn a_file_that_is_asked_for_twice_is_one() {
+    let folder = two_motors("builder_twice");
+    let specs = folder.join("specs");
+    let again = specs.join("../specs/./a.toml");
+    let built = Build::new().spec(specs.join("a.toml")).spec(&again).specs(specs.join("./*.toml"));
+    let built = built.out_dir(folder.join("built")).run().unwrap_or_else(|report| panic!("{}", report.render(false)));
+    assert_eq!(built, ["first.rs", "second.rs"].map(|name| folder.join("built").join(name)));
+    let generate = |arguments: &[&Path]| {
+        let mut generate = Command::new(env!("CARGO_BIN_EXE_deadbeat"));
+        generate.arg("generate").args(arguments).args(["--lang", "rust", "--out"]).arg(folder.join("generated"));
+        generate.output().expect("it runs")
+    };
+    let output = generate(&[&specs.join("a.toml"), &again, &specs]);
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    assert_eq!(String::from_utf8_lossy(&output.stdout).lines().count(), 2);
+    put(&folder.join("copy.toml"), &named("first"));
+    let output = generate(&[&specs.join("a.toml"), &folder.join("copy.toml")]);
+    assert!(String::from_utf8_lossy(&output.stderr).contains("two specifications are named `first`"));
+    let output = generate(&[&specs.join("*.tml")]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("no file fits the pattern"));
 }
 
 /// Claim: in a real build script, Rust for `include!` goes to `OUT_DIR` and C where it is asked for; both give the bits
