@@ -8,7 +8,7 @@ use deadbeat_codegen::internals::method::matrix::{self, Cell};
 use deadbeat_codegen::internals::plant::features::{Feature, Limit, When};
 use deadbeat_codegen::{Generator, METHODS};
 
-use crate::support::corpus::{root, succeed};
+use crate::support::corpus::{root, side_by_side, succeed};
 use crate::support::plant::corpus;
 use crate::support::truths::names_of;
 
@@ -66,29 +66,30 @@ fn asking(text: &str, feature: Feature) -> Option<String> {
 /// stands for all plants, and not for a method's sake where nothing stands there.
 #[test]
 fn a_refusal_says_what_the_matrix_says() {
-    let (mut refused, mut taken) = (0, 0);
-    for method in METHODS {
-        for name in names_of(method.name) {
-            for feature in Feature::ALL {
-                let Some(text) = asking(&corpus(&name), feature) else { continue };
-                let said = Generator::new(&text, &name).check().render(false);
-                let line = format!("cannot take `{}`", feature.key());
-                match method.cell(feature) {
-                    Cell::Refused => {
-                        let always = |limit: &&'static Limit| matches!(limit.when, When::Always);
-                        let limit = method.against(feature).find(always).expect("a limit");
-                        assert!(said.contains(limit.why), "{name} with `{}`:\n{said}", feature.key());
-                        refused += 1;
-                    }
-                    Cell::Taken => {
-                        assert!(!said.contains(&line), "{name} with `{}`:\n{said}", feature.key());
-                        taken += 1;
-                    }
-                    Cell::Partly => {}
-                }
+    let users = METHODS.iter().flat_map(|method| names_of(method.name).into_iter().map(move |name| (method, name)));
+    let asked = users.flat_map(|(method, name)| Feature::ALL.map(|feature| (method, name.clone(), feature)));
+    let jobs: Vec<_> = asked
+        .filter_map(|(method, name, feature)| Some((method, feature, asking(&corpus(&name), feature)?, name)))
+        .collect();
+    let cells = side_by_side(&jobs, |(method, feature, text, name)| {
+        let said = Generator::new(text, name).check().render(false);
+        let cell = method.cell(*feature);
+        match cell {
+            Cell::Refused => {
+                let always = |limit: &&'static Limit| matches!(limit.when, When::Always);
+                let limit = method.against(*feature).find(always).expect("a limit");
+                assert!(said.contains(limit.why), "{name} with `{}`:\n{said}", feature.key());
             }
+            Cell::Taken => {
+                let line = format!("cannot take `{}`", feature.key());
+                assert!(!said.contains(&line), "{name} with `{}`:\n{said}", feature.key());
+            }
+            Cell::Partly => {}
         }
-    }
+        cell
+    });
+    let count = |wanted: Cell| cells.iter().filter(|cell| **cell == wanted).count();
+    let (refused, taken) = (count(Cell::Refused), count(Cell::Taken));
     assert!(refused > 20 && taken > 100, "{refused} refused, {taken} taken");
 }
 
