@@ -13,6 +13,7 @@
 //! |---------------------|----------------------------------------------------------------|
 //! | [`number`]          | the scalar [`Real`]: representation, rounding, comparison      |
 //! | [`arithmetic`]      | `+ - * /`, square root, integer powers, sums of products       |
+//! | `accumulate`        | sums of products, exactly                                      |
 //! | [`elementary`]      | exponential, logarithm, trigonometry: checked, never panicking |
 //! | [`conversion`]      | to and from rationals, `f64`, `f32`, decimal text              |
 //! | [`matrix`]          | the dense [`Matrix`]                                           |
@@ -24,6 +25,7 @@
 //! | [`mod@gramian`]     | the finite-horizon observability Gramian                       |
 //! | [`agreement`]       | how far two computations of the same constants agree           |
 
+mod accumulate;
 pub mod agreement;
 pub mod arithmetic;
 pub mod balance;

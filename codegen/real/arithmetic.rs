@@ -5,6 +5,7 @@ use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 use dashu_base::{BitTest, DivRem, Sign, SquareRootRem};
 use dashu_int::{IBig, UBig};
 
+use super::accumulate;
 use super::elementary::Undefined;
 use super::number::{Precision, Real, count, size};
 
@@ -107,20 +108,27 @@ impl Real {
         add(&self.mantissa * &a.mantissa, self.exponent + a.exponent, b.clone(), p)
     }
 
-    /// The sum of the products of the pairs, accumulated with 32 guard bits and rounded to `p`
-    /// once: the error is below half a unit in the last place plus `terms * 2^-(p+32)` of the
-    /// sum of the magnitudes. Pairs with an exact zero are skipped.
+    /// The sum of the products of the pairs, rounded to `p` once; where its terms are so long or of so different sizes
+    /// that they cannot be summed exactly, accumulated with 32 guard bits: the error is below half a unit in the last
+    /// place plus `terms * 2^-(p+32)` of the sum of the magnitudes. Pairs with an exact zero are skipped.
     #[must_use]
     pub fn sum_of_products<'a>(pairs: impl IntoIterator<Item = (&'a Self, &'a Self)>, p: Precision) -> Self {
-        let working = p.plus(GUARD);
-        let mut sum = Self::zero(working);
-        for (a, b) in pairs {
-            if !a.is_zero() && !b.is_zero() {
-                sum = add(&a.mantissa * &b.mantissa, a.exponent + b.exponent, sum, working);
-            }
+        let pairs: Vec<(&Self, &Self)> = pairs.into_iter().filter(|(a, b)| !a.is_zero() && !b.is_zero()).collect();
+        match accumulate::sum(&pairs) {
+            Some((mantissa, exponent)) => Self::rounded(mantissa, exponent, p),
+            None => guarded_sum(&pairs, p),
         }
-        sum.into_precision(p)
     }
+}
+
+/// The sum of products, rounded on the way with [`GUARD`] bits more, then to `p`.
+fn guarded_sum(pairs: &[(&Real, &Real)], p: Precision) -> Real {
+    let working = p.plus(GUARD);
+    let mut sum = Real::zero(working);
+    for (a, b) in pairs {
+        sum = add(&a.mantissa * &b.mantissa, a.exponent + b.exponent, sum, working);
+    }
+    sum.into_precision(p)
 }
 
 /// `mantissa * 2^exponent + other`, rounded to `p` once.
@@ -332,5 +340,48 @@ mod tests {
         let minus = -&big;
         let sum = Real::sum_of_products([(&big, &one), (&one, &one), (&minus, &one)], p);
         assert_eq!(sum, one);
+    }
+
+    /// Claim: sums of products of any lengths, signs and sizes are the rounded exact ones; those that are summed exactly
+    /// and those that are rounded on the way, to what 32 guard bits leave.
+    #[test]
+    fn sums_of_products_are_the_rounded_exact_sums() {
+        let mut exact = 0;
+        for bits in [8, 63, 64, 65, 128, 300, 512, 1_300] {
+            let p = Precision::bits(bits);
+            // Quotients fill all bits.
+            let numbers: Vec<Real> = stream(240, p)
+                .chunks(2)
+                .map(|it| if it[1].is_zero() { it[0].clone() } else { &it[0] / &it[1] })
+                .collect();
+            for (at, terms) in numbers.chunks(6).enumerate() {
+                let shift = [0, 1, 70, 700, 40_000][at % 5];
+                let far: Vec<Real> =
+                    terms.iter().enumerate().map(|(k, x)| x.shifted(if k % 3 == 1 { shift } else { 0 })).collect();
+                let pairs: Vec<_> = far.iter().zip(numbers.iter().rev()).collect();
+                let rational = |x: &Real| x.to_rational().unwrap();
+                let sum = pairs.iter().map(|(a, b)| rational(a) * rational(b)).fold(Rational::ZERO, |sum, x| sum + x);
+                let rounded = Real::from_rational(&sum, p);
+                let nonzero: Vec<_> = pairs.iter().copied().filter(|(a, b)| !a.is_zero() && !b.is_zero()).collect();
+                if accumulate::sum(&nonzero).is_some() {
+                    exact += 1;
+                    assert_eq!(Real::sum_of_products(pairs, p), rounded, "{bits} bits, {shift}");
+                }
+                assert_eq!(guarded_sum(&nonzero, p), rounded, "{bits} bits, {shift}, with guard bits");
+            }
+        }
+        assert!((100..160).contains(&exact), "{exact} of 160 sums are exact");
+    }
+
+    /// Claim: carries run through words of ones, and what cancels leaves nothing.
+    #[test]
+    fn sums_of_products_carry_and_cancel() {
+        let p = Precision::bits(512);
+        let ones = &Real::one(p).shifted(512) - &Real::one(p);
+        let (one, minus) = (Real::one(p), -&ones);
+        let sum = Real::sum_of_products([(&ones, &ones), (&one, &ones), (&one, &ones), (&one, &one)], p);
+        assert_eq!(sum, Real::one(p).shifted(1024));
+        assert!(Real::sum_of_products([(&ones, &ones), (&minus, &ones)], p).is_zero());
+        assert!(Real::sum_of_products([], p).is_zero());
     }
 }

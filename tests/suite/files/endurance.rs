@@ -93,17 +93,15 @@ fn observed(plant: &Plant, name: &str, table: &str) -> (Generated, Output) {
     (generated, output)
 }
 
-fn subject(plant: &Plant, realization: &str) -> Subject {
+fn subject(plant: &Plant, gamma: [f64; 2], realization: &str) -> Subject {
     let name = format!("{}_{}", plant.name, realization.replace('-', "_"));
     let (generated, output) = designed(plant, &name, realization);
-    let gamma = gamma(&designed(plant, &name, "fir").0);
     Subject { name, generated, output, feedback: plant.feedback, gamma, noise: 0.0 }
 }
 
-fn corrector(plant: &Plant, (mode, method, keys): (&str, &str, &str)) -> Subject {
+fn corrector(plant: &Plant, gamma: [f64; 2], (mode, method, keys): (&str, &str, &str)) -> Subject {
     let name = format!("{}_{mode}", plant.name);
     let (generated, output) = observed(plant, &name, &format!("{method}]\n{keys}"));
-    let gamma = gamma(&designed(plant, &name, "fir").0);
     Subject { name, generated, output, feedback: plant.feedback, gamma, noise: NOISE }
 }
 
@@ -244,9 +242,12 @@ fn program(folder: &Path, subjects: &[Subject]) -> PathBuf {
 }
 
 fn endure(test: &str, calls: u64) {
-    let windows = PLANTS.iter().flat_map(|plant| REALIZATIONS.map(|it| subject(plant, it)));
-    let correctors = PLANTS.iter().flat_map(|plant| CORRECTORS.map(|it| corrector(plant, it)));
-    let subjects: Vec<Subject> = windows.chain(correctors).collect();
+    let of_plant = |plant: &Plant| {
+        let gamma = gamma(&designed(plant, plant.name, "fir").0);
+        let windows = REALIZATIONS.map(|it| subject(plant, gamma, it)).into_iter();
+        windows.chain(CORRECTORS.map(|it| corrector(plant, gamma, it))).collect::<Vec<_>>()
+    };
+    let subjects: Vec<Subject> = side_by_side(&PLANTS, of_plant).into_iter().flatten().collect();
     let program = program(&empty_folder(test), &subjects);
     let printed = side_by_side(&subjects, |subject| {
         succeed(Command::new(&program).args([subject.name.as_str(), &calls.to_string()]))

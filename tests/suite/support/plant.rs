@@ -10,6 +10,9 @@
     reason = "counts of calls and samples are small"
 )]
 
+use std::collections::HashMap;
+use std::sync::{Arc, LazyLock, Mutex, OnceLock};
+
 use deadbeat_codegen::internals::estimator::window::Functional;
 use deadbeat_codegen::internals::estimator::window::regression::Regression;
 use deadbeat_codegen::internals::sampled::Source;
@@ -60,10 +63,19 @@ pub fn designed(text: &str) -> Generated {
     designed_in(text, Scalar::F64)
 }
 
-/// A specification's text, designed.
+/// Designs by specification and scalar.
+type Designs = Mutex<HashMap<(String, Scalar), Arc<OnceLock<Generated>>>>;
+
+/// A specification's text, designed: once, whoever asks for the same.
 pub fn designed_in(text: &str, scalar: Scalar) -> Generated {
-    let generator = Generator::new(text, "test.toml").with(Settings { scalar: Some(scalar) });
-    generator.design().unwrap_or_else(|report| panic!("{}", report.render(false)))
+    static DESIGNS: LazyLock<Designs> = LazyLock::new(Designs::default);
+    let asked = (text.to_owned(), scalar);
+    let once = Arc::clone(DESIGNS.lock().unwrap().entry(asked).or_default());
+    let design = || {
+        let generator = Generator::new(text, "test.toml").with(Settings { scalar: Some(scalar) });
+        generator.design().unwrap_or_else(|report| panic!("{}", report.render(false)))
+    };
+    once.get_or_init(design).clone()
 }
 
 /// The text of a corpus specification.

@@ -8,7 +8,7 @@ use deadbeat_codegen::internals::method::matrix::{self, Cell};
 use deadbeat_codegen::internals::method::read;
 use deadbeat_codegen::{Feature, Generator, Limit, METHODS, Plant, Settings, Source};
 
-use crate::support::corpus::{root, succeed};
+use crate::support::corpus::{root, side_by_side, succeed};
 use crate::support::plant::corpus;
 use crate::support::truths::names_of;
 
@@ -93,32 +93,31 @@ fn is_plant(text: &str) -> bool {
 /// stands for all plants, and not for a method's sake where nothing stands there.
 #[test]
 fn a_refusal_says_what_the_matrix_says() {
-    let (mut refused, mut taken) = (0, 0);
-    for method in METHODS {
-        for name in names_of(method.name) {
-            for feature in Feature::ALL {
-                let Some(text) = asking(&corpus(&name), feature) else { continue };
-                if !is_plant(&text) {
-                    continue;
-                }
-                let said = Generator::new(&text, &name).check().render(false);
-                let line = format!("cannot take {}", feature.words());
-                match method.cell(feature) {
-                    Cell::Refused => {
-                        let always = |limit: &&'static Limit| limit.words().is_none();
-                        let limit = method.against(feature).find(always).expect("a limit");
-                        assert!(said.contains(limit.why), "{name} with `{}`:\n{said}", feature.key());
-                        refused += 1;
-                    }
-                    Cell::Taken => {
-                        assert!(!said.contains(&line), "{name} with `{}`:\n{said}", feature.key());
-                        taken += 1;
-                    }
-                    Cell::Partly => {}
-                }
+    let users = METHODS.iter().flat_map(|method| names_of(method.name).into_iter().map(move |name| (method, name)));
+    let asked = users.flat_map(|(method, name)| Feature::ALL.map(|feature| (method, name.clone(), feature)));
+    let jobs: Vec<_> = asked
+        .filter_map(|(method, name, feature)| Some((method, feature, asking(&corpus(&name), feature)?, name)))
+        .filter(|(_, _, text, _)| is_plant(text))
+        .collect();
+    let cells = side_by_side(&jobs, |(method, feature, text, name)| {
+        let said = Generator::new(text, name).check().render(false);
+        let cell = method.cell(*feature);
+        match cell {
+            Cell::Refused => {
+                let always = |limit: &&'static Limit| limit.words().is_none();
+                let limit = method.against(*feature).find(always).expect("a limit");
+                assert!(said.contains(limit.why), "{name} with `{}`:\n{said}", feature.key());
             }
+            Cell::Taken => {
+                let line = format!("cannot take {}", feature.words());
+                assert!(!said.contains(&line), "{name} with `{}`:\n{said}", feature.key());
+            }
+            Cell::Partly => {}
         }
-    }
+        cell
+    });
+    let count = |wanted: Cell| cells.iter().filter(|cell| **cell == wanted).count();
+    let (refused, taken) = (count(Cell::Refused), count(Cell::Taken));
     assert!(refused > 100 && taken > 150, "{refused} refused, {taken} taken");
 }
 
