@@ -24,7 +24,11 @@ const PLANTS: [(&str, &str, &str); 9] = [
     ("load - 19.6*sin(q)", "[unknowns]\nload = {}\n", "[observer.parameters]\nwindow = 0.2"),
     ("load", "[unknowns]\nload = {}\n", "[observer.parameters]\nwindow = 0.2\nform = 'paper'"),
     ("0", "", "[observer.single-delay]\nwindow = 0.05\nintermittent = { min = 0.005, max = 0.02 }"),
-    ("-19.6*sin(q) - 0.5*dq", "", "[observer.single-delay]\nwindow = 0.05\nintermittent = { min = 0.005, max = 0.02 }"),
+    (
+        "-19.6*sin(q) - 0.5*dq",
+        "",
+        "[observer.single-delay]\nwindow = 0.05\nintermittent = { min = 0.005, max = 0.02 }\nunproved = 'accept'",
+    ),
     ("0", "", "[observer.window]\nwindow = 0.05\nmissing = 'left-out'"),
 ];
 
@@ -164,7 +168,7 @@ fn shown(count: i64, sample: &str) -> f64 {
 #[test]
 fn outliers_are_missing_samples() {
     let motion = |k: usize| 0.4 * (3.0 * H * k as f64).sin();
-    let outlying = |k: usize| k > 60 && k.is_multiple_of(37);
+    let outlying = |k: usize| k > 300 && k.is_multiple_of(37);
     for plant in [PLANTS[0], PLANTS[1], PLANTS[6], PLANTS[7], PLANTS[8]] {
         for scalar in [Scalar::F32, Scalar::F64] {
             let gated = edited(&specification(plant), "wrap = '2*pi'", "gate = 0.2");
@@ -173,7 +177,7 @@ fn outliers_are_missing_samples() {
                 |bad: f64| through(&generated, (0..800).map(|k| motion(k) + if outlying(k) { bad } else { 0.0 }));
             let [wrong, missing] = [1.5, f64::NAN].map(with);
             assert!(wrong == missing, "{plant:?} {scalar}");
-            assert!(wrong.iter().skip(60).all(|(_, status)| *status != Status::Converging));
+            assert!(wrong.iter().skip(300).all(|(_, status)| *status != Status::Converging));
         }
     }
 }

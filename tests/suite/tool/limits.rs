@@ -85,7 +85,11 @@ fn example(method: &str, limit: &Limit, words: &str) -> [Spec; 2] {
     let keyed = |spec: Spec, keys| [Spec { keys, ..spec }, spec];
     match (method, limit.feature, words) {
         (_, Feature::Counter, "of 32 bits in f32, unless `wrap` is a turn of at most 2^24 counts") => {
-            let spec = sensor("sample = 'i32', quantum = 1e-3");
+            let plant = match method {
+                "parameters" => Spec { states: LOADED, more: LOAD, ..PLAIN },
+                _ => PLAIN,
+            };
+            let spec = Spec { sensor: "sample = 'i32', quantum = 1e-3", ..plant };
             [spec, Spec { target: "scalar = 'f64'", ..spec }]
         }
         (_, Feature::Every, "of an output in a nonlinear term") => {
