@@ -6,7 +6,7 @@ use std::any::Any;
 use std::ops::Range;
 
 use crate::diagnostic::{Diagnostic, codes};
-use crate::expr::Symbol;
+use crate::expr::{Constant, Symbol};
 use crate::plant::{Output, Plant};
 use crate::program::Scalar;
 use asked::{Asked, coasted_twice, contradiction, of_all, of_outputs};
@@ -233,7 +233,7 @@ pub fn is_coarse(case: &Case) -> bool {
         None => wrap.turn.to_f64().ok(),
     });
     // Below, a single is every count of a turn; what is late or has inputs in it works with floats.
-    let bare = output.delay.is_none() && output.feedthrough.iter().all(|factor| factor.is_zero());
+    let bare = output.delay.is_none() && output.feedthrough.iter().all(Constant::is_zero);
     let turns = bare && turn.is_some_and(|turn| turn <= 16_777_216.0);
     case.plant.scalar == Scalar::F32 && output.counter.is_some_and(|counter| counter.bits != 16) && !turns
 }

@@ -99,7 +99,7 @@ impl Counts {
 
     /// Where a count is, in the output's unit, within half a turn of zero.
     pub(crate) fn place(&self, b: &mut Builder, count: Value) -> Value {
-        if let Some(followed) = &self.followed {
+        if let Some(followed) = self.followed {
             let within = self.within(b, followed, count);
             let counts = b.to_float(within);
             return self.in_turn(b, counts);
@@ -125,7 +125,7 @@ impl Counts {
 
     /// Keeps a sample of an output that is good, where its place is followed.
     pub(crate) fn keep(&self, b: &mut Builder, output: usize, good: Value) {
-        let Some(followed) = &self.followed else { return };
+        let Some(followed) = self.followed else { return };
         let now = b.read_count(place(output));
         let within = self.within(b, followed, now);
         for (cell, value) in [(followed.count, now), (followed.within, within)] {
@@ -136,7 +136,7 @@ impl Counts {
     }
 
     /// Where a count is within its turn, from the last good sample on.
-    fn within(&self, b: &mut Builder, followed: &Followed, count: Value) -> Value {
+    fn within(&self, b: &mut Builder, followed: Followed, count: Value) -> Value {
         let turn = followed.turn;
         let (last, within) = (b.read(followed.count), b.read(followed.within));
         let moved = self.difference(b, count, last);
@@ -153,7 +153,7 @@ impl Counts {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a whole number, below 2^30")]
     fn uneven_turn(&self) -> Option<u32> {
         let turn = self.turn.filter(|turn| (1.0..FOLLOWED).contains(turn))? as u32;
-        ((1_u64 << self.bits) % u64::from(turn) != 0).then_some(turn)
+        (!(1_u64 << self.bits).is_multiple_of(turn.into())).then_some(turn)
     }
 
     /// Counts of a turn in the output's unit, within half a turn of zero.

@@ -2,7 +2,11 @@
 //! also through gaps; single precision loses nothing after any number of turns; a counter gives the same bits wherever it
 //! stands, whatever its turn; and a gate makes an outlier a missing sample, and follows a true jump.
 
-#![allow(clippy::cast_precision_loss, reason = "counts of calls and samples are small")]
+#![allow(
+    clippy::cast_precision_loss,
+    clippy::cast_possible_truncation,
+    reason = "counts of calls and samples are small"
+)]
 
 use crate::support::plant;
 
@@ -51,7 +55,7 @@ fn folded(angle: f64) -> f64 {
     angle - TAU * (angle / TAU).round()
 }
 
-fn through(generated: &Generated, samples: impl Iterator<Item = f64>) -> Vec<(Vec<f64>, Status)> {
+fn through(generated: &Generated, samples: impl Iterator<Item = f64>) -> Vec<Answer> {
     let mut interpreter = Interpreter::new(&generated.program);
     let mut estimate = vec![0.0; generated.program.estimates.len()];
     samples
@@ -62,12 +66,15 @@ fn through(generated: &Generated, samples: impl Iterator<Item = f64>) -> Vec<(Ve
         .collect()
 }
 
+/// An estimate and its status.
+type Answer = (Vec<f64>, Status);
+
 /// Per state, how far two runs are apart where both have converged, and the largest estimate; angles but for turns.
-fn apart(a: &[(Vec<f64>, Status)], b: &[(Vec<f64>, Status)]) -> Vec<(f64, f64)> {
+fn apart(a: &[Answer], b: &[Answer]) -> Vec<(f64, f64)> {
     let both = || a.iter().zip(b).filter(|(a, b)| a.1 == Status::Converged && b.1 == Status::Converged);
     assert!(both().count() > a.len() / 4);
     let of = |i: usize| {
-        let off = |(a, b): (&(Vec<f64>, Status), &(Vec<f64>, Status))| {
+        let off = |(a, b): (&Answer, &Answer)| {
             if i == 0 { folded(a.0[0] - b.0[0]).abs() } else { (a.0[i] - b.0[i]).abs() }
         };
         (both().map(off).fold(0.0, f64::max), both().map(|(_, b)| b.0[i].abs()).fold(1.0, f64::max))
@@ -136,7 +143,6 @@ fn counters_of_any_turn() {
             let counted = edited(&text, "wrap = '2*pi'", &format!("{sensor}, sample = '{sample}'"));
             let generated = designed_in(&counted, Scalar::F32);
             let count = TAU / f64::from(turn);
-            #[allow(clippy::cast_possible_truncation, reason = "a count")]
             let counts: Vec<i64> = swing().iter().take(900).map(|q| (q / count).round() as i64).collect();
             let from = |start: i64| through(&generated, counts.iter().map(|n| shown(n + start, sample)));
             let turns = |start: i64| start - start.rem_euclid(i64::from(turn));

@@ -98,7 +98,9 @@ impl<'a> Foretells<'a> for Lowering<'a> {
 
     fn screen(&mut self, good: &mut [Value]) {
         let due = self.due();
-        good.iter_mut().for_each(|good| *good = self.builder.and(due, *good));
+        for good in good {
+            *good = self.builder.and(due, *good);
+        }
     }
 
     fn foretells(&mut self, known: &Known) -> Option<Vec<Foretold>> {
