@@ -3,6 +3,7 @@
 pub mod collocation;
 pub mod compile;
 pub mod corpus;
+pub mod depth;
 pub mod fleet;
 pub mod golden;
 pub mod impulsive;

@@ -1,6 +1,7 @@
 //! Claim: the contract that every generated file prints holds on the whole corpus, in the scalar that each
 //! specification names, and in CI in the other too: a test for each of its lines.
 
+use crate::support::depth::deep;
 use crate::support::{compile, corpus, fleet};
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -748,7 +749,7 @@ fn line_10_inputs_of_any_bits() {
 fn line_10_a_sensor_that_is_gone_for_good() {
     let unstable = |it: &&Subject| UNSTABLE.contains(&it.stem.as_str());
     let chosen: Vec<&Subject> = subjects().iter().filter(unstable).collect();
-    assert_eq!(chosen.len(), if corpus::deep() { 2 } else { 1 } * UNSTABLE.len());
+    assert_eq!(chosen.len(), if deep() { 2 } else { 1 } * UNSTABLE.len());
     side_by_side(&chosen, |subject| gone(subject, INTERPRETED / 4));
 }
 

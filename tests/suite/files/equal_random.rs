@@ -2,6 +2,7 @@
 //! the machine's own instructions give the same bits for any Program and any input, and neither
 //! they nor their C++ warn about the emitted code.
 
+use crate::support::depth::trials;
 use crate::support::{compile, random_program};
 
 use compile::{Answer, Case, Sample, Workshop};
@@ -9,9 +10,9 @@ use deadbeat_codegen::program::builder::Builder;
 use deadbeat_codegen::program::{Field, Function, Kind, Program, Scalar, Status, Value};
 use random_program::{random_inputs, random_program};
 
-/// How many random Programs; three times as many with `DEADBEAT_DEEP=1`, as `.ci/run` says.
+/// How many random Programs.
 fn programs() -> u64 {
-    if std::env::var("DEADBEAT_DEEP").is_ok_and(|value| value == "1") { 300 } else { 100 }
+    trials(30, 300)
 }
 
 /// How many calls of each.

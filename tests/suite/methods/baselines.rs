@@ -10,6 +10,7 @@
     reason = "counts of calls and samples are small"
 )]
 
+use crate::support::depth::trials;
 use crate::support::{golden, linear, plant};
 
 use std::fmt::Write as _;
@@ -168,9 +169,9 @@ fn high_gain_follows_the_reference() {
     }
 }
 
-/// Plants that are tried, and how many of them must be designed; more with `DEADBEAT_DEEP=1`, as `.ci/run` says.
+/// Plants that are tried, and how many of them must be designed.
 fn plants() -> (u64, u64) {
-    if std::env::var("DEADBEAT_DEEP").is_ok_and(|value| value == "1") { (280, 200) } else { (100, 65) }
+    trials((40, 26), (280, 200))
 }
 
 /// A random linear plant without delays; its specification with this observer.

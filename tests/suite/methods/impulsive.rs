@@ -9,6 +9,7 @@
     reason = "counts of calls and samples are small"
 )]
 
+use crate::support::depth::trials;
 use crate::support::{impulsive, plant};
 
 use std::cell::Cell;
@@ -218,12 +219,14 @@ fn a_constant_output_is_a_fixed_point_of_the_reset() {
 }
 
 /// Linear plants that are tried.
-const PLANTS: u32 = 200;
+fn plants() -> u32 {
+    trials(60, 200)
+}
 
 #[test]
 fn every_observable_linear_plant_is_estimated_exactly() {
     let (refused, digits, worst) = (Cell::new(0), Cell::new([0; 4]), Cell::new(0.0_f64));
-    let config = Config { cases: PLANTS, failure_persistence: None, ..Config::default() };
+    let config = Config { cases: plants(), failure_persistence: None, ..Config::default() };
     let random = TestRng::deterministic_rng(RngAlgorithm::ChaCha);
     let shapes = (2_usize..=6, 1_usize..=3, 0_usize..=2, proptest::bool::ANY, 0_usize..=12, 0_u64..1 << 40);
     let outcome = TestRunner::new_with_rng(config, random).run(&shapes, |shape| {
@@ -267,12 +270,12 @@ fn every_observable_linear_plant_is_estimated_exactly() {
         Ok(())
     });
     outcome.unwrap_or_else(|why| panic!("{why}"));
-    let ([a, b, c, d], refused) = (digits.get(), refused.get());
+    let ([a, b, c, d], refused, plants) = (digits.get(), refused.get(), plants());
     println!(
-        "{refused} of {PLANTS} refused; errors below 1e-13: {a}, 1e-11: {b}, 1e-9: {c}, above: {d}; largest error / bound {:.2e}",
+        "{refused} of {plants} refused; errors below 1e-13: {a}, 1e-11: {b}, 1e-9: {c}, above: {d}; largest error / bound {:.2e}",
         worst.get()
     );
-    assert!(refused * 6 <= PLANTS, "{refused} of {PLANTS} refused");
+    assert!(refused * 6 <= plants, "{refused} of {plants} refused");
     // The bound adds up the worst of everything; what happens is far smaller, but for plants whose gain from noise
     // is above 1e5.
     assert!(d * 20 <= a + b + c + d, "{d} states are lost in rounding");

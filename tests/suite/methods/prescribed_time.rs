@@ -10,6 +10,7 @@
     reason = "counts of calls and samples are small"
 )]
 
+use crate::support::depth::trials;
 use crate::support::{linear, plant};
 
 use std::cell::Cell;
@@ -175,8 +176,9 @@ fn the_error_follows_the_papers_curve() {
 
 /// Plants that are tried, and that must be designed: some do not show their state, and some so little of it by the random
 /// time that the error would have grown.
-const PLANTS: u32 = 250;
-const DESIGNED: u32 = 200;
+fn plants() -> (u32, u32) {
+    trials((75, 60), (250, 200))
+}
 
 /// A random law for a plant of that order, and where the countdown ends.
 fn law(random: &mut Random, n: usize, steps: usize, h: f64) -> (String, usize) {
@@ -241,7 +243,7 @@ fn kappa(text: &str, n: usize, h: f64, r: f64, steps: f64) -> DVector<f64> {
 #[test]
 fn every_observable_plant_is_estimated_by_the_promised_step() {
     let (refused, compared) = (Cell::new(0), Cell::new(0));
-    let config = Config { cases: PLANTS, failure_persistence: None, ..Config::default() };
+    let config = Config { cases: plants().0, failure_persistence: None, ..Config::default() };
     let shapes = (1_usize..=8, 0_usize..=2, (proptest::bool::ANY, proptest::bool::ANY), 0_usize..=40, 0_u64..1 << 40);
     let random = TestRng::deterministic_rng(RngAlgorithm::ChaCha);
     let outcome = TestRunner::new_with_rng(config, random).run(&shapes, |(n, m, kinds, spare, seed)| {
@@ -289,9 +291,10 @@ fn every_observable_plant_is_estimated_by_the_promised_step() {
         Ok(())
     });
     outcome.unwrap_or_else(|why| panic!("{why}"));
-    let designed = PLANTS - refused.get();
+    let (plants, enough) = plants();
+    let designed = plants - refused.get();
     println!("{designed} designed, {} compared with rounding below 1e-6 of the initial error", compared.get());
-    assert!(designed >= DESIGNED, "{designed} of {PLANTS} designed");
+    assert!(designed >= enough, "{designed} of {plants} designed");
     assert!(2 * compared.get() >= designed as usize, "the rounding bound says nothing for most plants");
 }
 

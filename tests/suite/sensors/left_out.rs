@@ -10,6 +10,7 @@
     reason = "counts of calls and samples are small"
 )]
 
+use crate::support::depth::trials;
 use crate::support::{linear, plant, truths};
 
 use std::cell::Cell;
@@ -24,9 +25,9 @@ use plant::{Random, Run, UNIT, corpus, delays, designed, functional};
 use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestRng, TestRunner};
 use truths::truth;
 
-/// Random plants: a few always, all of them with `DEADBEAT_DEEP=1`, as `.ci/run` says.
+/// Random plants.
 fn plants() -> u32 {
-    if std::env::var("DEADBEAT_DEEP").is_ok_and(|value| value == "1") { 200 } else { 30 }
+    trials(30, 200)
 }
 
 fn solve(generated: &Generated) -> &Irregular {

@@ -9,6 +9,7 @@
     reason = "counts of calls and samples are small"
 )]
 
+use crate::support::depth::trials;
 use crate::support::{linear, plant};
 
 use std::cell::Cell;
@@ -20,9 +21,9 @@ use linear::{Linear, Shape};
 use plant::{Random, Run, UNIT, corpus, designed, functional};
 use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestRng, TestRunner};
 
-/// Random plants: a few always, all of them with `DEADBEAT_DEEP=1`, as `.ci/run` says.
+/// Random plants.
 fn plants() -> u32 {
-    if std::env::var("DEADBEAT_DEEP").is_ok_and(|value| value == "1") { 200 } else { 30 }
+    trials(30, 200)
 }
 
 /// Leaves the samples that are due; of the others one in ten, which come early.

@@ -5,6 +5,7 @@
 
 #![allow(clippy::cast_precision_loss, reason = "counts of calls and samples are small")]
 
+use crate::support::depth::trials;
 use crate::support::plant;
 
 use std::fmt::Write as _;
@@ -130,7 +131,7 @@ fn plants(kinds: &[Gains], each: usize) -> Vec<(Rare, Generated)> {
 }
 
 fn sizes() -> usize {
-    if std::env::var("DEADBEAT_DEEP").is_ok_and(|value| value == "1") { 30 } else { 2 }
+    trials(2, 30)
 }
 
 /// What stands where no sample is due.

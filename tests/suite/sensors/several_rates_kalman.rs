@@ -4,6 +4,7 @@
 
 #![allow(clippy::cast_precision_loss, reason = "counts of calls and samples are small")]
 
+use crate::support::depth::trials;
 use crate::support::plant;
 
 use std::fmt::Write as _;
@@ -89,7 +90,7 @@ fn plants(count: usize) -> Vec<(Rates, Generated)> {
 }
 
 fn sizes() -> usize {
-    if std::env::var("DEADBEAT_DEEP").is_ok_and(|value| value == "1") { 200 } else { 4 }
+    trials(4, 200)
 }
 
 #[test]

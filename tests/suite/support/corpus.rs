@@ -5,6 +5,7 @@
 
 #![allow(dead_code, reason = "each test uses its part of this")]
 
+use super::depth::deep;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::OnceLock;
@@ -67,12 +68,7 @@ fn own_scalar(entry: &Entry) -> Scalar {
     if entry.text.lines().any(|line| line.trim() == "scalar = \"f64\"") { Scalar::F64 } else { Scalar::F32 }
 }
 
-/// Whether every specification is taken in the scalar that it does not name, too: `DEADBEAT_DEEP=1`, as `.ci/run` says.
-pub fn deep() -> bool {
-    std::env::var("DEADBEAT_DEEP").is_ok_and(|value| value == "1")
-}
-
-/// The whole corpus, designed once for each test program; see [`deep`].
+/// The whole corpus, designed once for each test program; when [`deep`], in the scalar that it does not name, too.
 pub fn subjects() -> &'static [Subject] {
     static SUBJECTS: OnceLock<Vec<Subject>> = OnceLock::new();
     SUBJECTS.get_or_init(|| {

@@ -8,6 +8,8 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
+use crate::support::depth::trials;
+
 use deadbeat_codegen::diagnostic::{Diagnostic, Level, codes};
 use deadbeat_codegen::program::interp::Interpreter;
 use deadbeat_codegen::{Generator, Report};
@@ -547,10 +549,9 @@ fn scalar() -> impl Strategy<Value = &'static str> {
     proptest::sample::select(&["f32", "f64"][..])
 }
 
-/// Half as many unless `DEADBEAT_DEEP=1`, as `.ci/run` says.
+/// All of them where everything is tried, otherwise a half.
 fn cases(cases: u32) -> ProptestConfig {
-    let deep = std::env::var("DEADBEAT_DEEP").is_ok_and(|value| value == "1");
-    let cases = if deep { cases } else { cases / 2 };
+    let cases = trials(cases / 2, cases);
     ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() }
 }
 
