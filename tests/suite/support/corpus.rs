@@ -6,6 +6,7 @@
 #![allow(dead_code, reason = "each test uses its part of this")]
 
 use super::depth::deep;
+
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::OnceLock;

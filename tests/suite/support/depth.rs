@@ -1,6 +1,6 @@
-//! How much is tried: enough to notice a mistake on every run, and far more with `DEADBEAT_DEEP=1`, as `.ci/run` says.
-//! What is claimed is the same; random plants, Programs and texts are fewer, and specifications are taken in the scalar
-//! that they name alone.
+//! How much is tried: enough to notice a mistake on every run, and far more with `DEADBEAT_DEEP=1`, with which `.ci/run`
+//! runs all tests once. What is claimed is the same; otherwise random plants, Programs and texts are fewer, and
+//! specifications are taken in the scalar that they name alone.
 
 /// Whether everything is tried.
 pub fn deep() -> bool {
