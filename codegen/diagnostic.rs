@@ -284,6 +284,7 @@ pub mod codes {
         UNUSED "DB0209" "something declared and not used"
         DELAYED_INJECTION "DB0210" "a nonlinearity in a measurement that arrives late"
         NOT_CONSTANT "DB0211" "a quantity that must be a constant"
+        UNITS "DB0212" "units that contradict each other, or are missing"
         UNOBSERVABLE "DB0301" "a state that the outputs do not show"
         NOT_WHOLE "DB0302" "a time that is not a whole number of samples"
         WINDOW_TOO_SHORT "DB0303" "a window with too few samples"

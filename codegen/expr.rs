@@ -10,6 +10,7 @@ pub mod bounds;
 pub mod node;
 pub mod parse;
 pub mod poly;
+pub mod unit;
 pub mod value;
 
 pub use node::{Meaning, Names, Node, NodeKind, resolve};

@@ -17,6 +17,7 @@ mod reading;
 pub mod sensor;
 pub mod split;
 mod turn;
+mod units;
 pub mod words;
 
 use std::collections::BTreeSet;
@@ -245,7 +246,10 @@ impl Plant {
 
     /// Splits a specification; the warnings come with the plant.
     pub fn new(spec: &Spec) -> Result<(Self, Vec<Diagnostic>), Report> {
-        let (plant, found) = Reading::new(spec).finish();
+        let (plant, mut found) = Reading::new(spec).finish();
+        if found.iter().all(|d| d.level != Level::Error) {
+            units::check(spec, &mut found);
+        }
         match plant {
             Some(plant) if !found.iter().any(|d| d.level == Level::Error) => Ok((plant, found)),
             _ => Err(Report::new(spec.source.clone(), found)),

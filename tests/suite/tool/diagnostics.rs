@@ -129,6 +129,35 @@ fn warnings_are_given() {
     assert_eq!(found, [(codes::TIME_RESOLUTION, Level::Warning), (codes::UNUSED, Level::Warning)]);
 }
 
+/// A unit that is missing where others have theirs, or that cannot be read, is a warning that names what to write; what
+/// carries a number of its own, or has no units at all, is not judged.
+#[test]
+fn units_that_are_missing_are_a_warning() {
+    let servo = "deadbeat = 1\nname = \"servo\"\n[parameters]\nk = { value = 12.0, unit = \"rad/(V s^2)\" }\n[states]\n\
+        q = { unit = \"rad\", derivative = 'w' }\nw = { unit = \"rad/s\", derivative = 'k*u - 4*w' }\n[inputs]\n\
+        u = { unit = \"V\" }\n[outputs]\ny = { unit = \"rad\", value = 'q' }\n[observer.window]\nwindow = 0.05\n\
+        [target]\nsample_time = 1e-3\n";
+    for (from, to, wanted) in [
+        ("", "", None),
+        ("q = { unit = \"rad\", ", "q = { ", Some("write `unit = \"rad\"`")),
+        ("y = { unit = \"rad\", ", "y = { ", Some("write `unit = \"rad\"`")),
+        ("w = { unit = \"rad/s\", ", "w = { ", Some("write `unit = \"rad/s\"`")),
+        ("u = { unit = \"V\" }", "u = {}", Some("write its `unit`, `1` for a number")),
+        ("u = { unit = \"V\" }", "u = { unit = \"volts?\" }", Some("write words with powers")),
+        ("unit = \"rad/(V s^2)\"", "unit = \"rad/V s^2\"", Some("write `a/(b c)`")),
+        ("'k*u - 4*w'", "'12*u - 4*w'", None),
+        ("'k*u - 4*w'", "'-9.81*sin(q)'", None),
+        ("'k*u - 4*w'", "'-sin(q)'", None),
+    ] {
+        let report = report("servo", &servo.replace(from, to));
+        assert!(!report.has_errors(), "{}", report.render(false));
+        let units = report.diagnostics.iter().find(|d| d.code == codes::UNITS);
+        let help = units.and_then(|d| d.help.clone()).unwrap_or_default();
+        assert_eq!(units.is_some(), wanted.is_some(), "{to}: {}", report.render(false));
+        assert!(help.contains(wanted.unwrap_or_default()), "{to}: {help}");
+    }
+}
+
 /// A countdown that leaves most of the error, one that ends in noise, and one that carries its noise round.
 #[test]
 fn a_countdown_that_ends_badly_is_a_warning() {
