@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use deadbeat_codegen::Generated;
 use deadbeat_codegen::figure::Curves;
+use deadbeat_codegen::internals::numbers::short;
 use deadbeat_codegen::replay::{Compared, Interface, Replay, Verdict};
 
 use super::estimate::Estimate;
@@ -108,6 +109,9 @@ fn text_report(generated: &Generated, verdict: &Verdict) -> String {
     for remark in &verdict.remarks {
         let _ = writeln!(text, "{remark}");
     }
+    for residual in &verdict.residuals {
+        let _ = writeln!(text, "{}", residual.shown());
+    }
     if verdict.compared.is_empty() {
         text += "no column is named like a state, and no --reference was given: nothing to compare\n";
         return text;
@@ -116,6 +120,17 @@ fn text_report(generated: &Generated, verdict: &Verdict) -> String {
     for Compared { answer, errors } in &verdict.compared {
         let (rms, max) = errors.shown();
         let _ = writeln!(text, "{:<16} {rms:>12} {max:>12} {:>10}  {}", answer.name, errors.rows, answer.unit);
+    }
+    for Compared { answer, errors } in &verdict.compared {
+        if let Some((share, bound)) = errors.share_beyond().zip(answer.bound(&generated.design)) {
+            let (share, bound) = (short(100.0 * share), short(bound));
+            let name = &answer.name;
+            let _ = writeln!(
+                text,
+                "{name}: {share} % of {} rows beyond the bound, {bound} {}",
+                errors.bounded, answer.unit
+            );
+        }
     }
     text
 }
