@@ -6,7 +6,6 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use deadbeat_codegen::Generated;
 use deadbeat_codegen::figure::Curves;
-use deadbeat_codegen::internals::numbers::short;
 use deadbeat_codegen::replay::{Compared, Interface, Replay, Verdict};
 
 use super::estimate::Estimate;
@@ -121,16 +120,8 @@ fn text_report(generated: &Generated, verdict: &Verdict) -> String {
         let (rms, max) = errors.shown();
         let _ = writeln!(text, "{:<16} {rms:>12} {max:>12} {:>10}  {}", answer.name, errors.rows, answer.unit);
     }
-    for Compared { answer, errors } in &verdict.compared {
-        if let Some((share, bound)) = errors.share_beyond().zip(answer.bound(&generated.design)) {
-            let (share, bound) = (short(100.0 * share), short(bound));
-            let name = &answer.name;
-            let _ = writeln!(
-                text,
-                "{name}: {share} % of {} rows beyond the bound, {bound} {}",
-                errors.bounded, answer.unit
-            );
-        }
+    for line in verdict.compared.iter().filter_map(|it| it.beyond(&generated.design)) {
+        let _ = writeln!(text, "{}", line.trim_end());
     }
     text
 }

@@ -1,5 +1,6 @@
 //! What a replay came to.
 
+use crate::estimator::Design;
 use crate::numbers::short;
 
 use super::interface::Answer;
@@ -81,6 +82,15 @@ impl Verdict {
             report["negative_ages"] = self.negative_ages.into();
         }
         report
+    }
+}
+
+impl Compared {
+    /// The share of rows beyond the bound that a design promises, in a line; `None` where there is none.
+    pub fn beyond(&self, design: &Design) -> Option<String> {
+        let (share, bound) = self.errors.share_beyond().zip(self.answer.bound(design))?;
+        let (name, unit, rows) = (&self.answer.name, &self.answer.unit, self.errors.bounded);
+        Some(format!("{name}: {} % of {rows} rows beyond the bound, {} {unit}", short(100.0 * share), short(bound)))
     }
 }
 
