@@ -84,7 +84,7 @@ enum Command {
 /// Where files go, and which.
 #[derive(Args)]
 struct Target {
-    /// The folder
+    /// The folder; for `generate`, `-` is standard output, which takes one file
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
     /// The language, may be repeated; Rust and C by default

@@ -104,10 +104,24 @@ impl Output {
         &self.inputs
     }
 
+    /// Files of a folder that stand where one of these would, and do not say that they were generated.
+    pub fn in_the_way(&self, folder: &Path) -> Vec<PathBuf> {
+        let foreign =
+            |path: &PathBuf| fs::read(path).is_ok_and(|found| !found.trim_ascii().is_empty() && !is_ours(&found));
+        self.files.iter().map(|file| folder.join(&file.name)).filter(foreign).collect()
+    }
+
     /// Writes the files whose content has changed; gives their paths.
     ///
     /// Each is written beside its place and then moved there, so that no reader sees half a file.
+    ///
+    /// # Errors
+    /// Those of the disk; and where a file stands in the way that was not generated, which stays as it is.
     pub fn write_to(&self, folder: &Path) -> io::Result<Vec<PathBuf>> {
+        if let Some(path) = self.in_the_way(folder).first() {
+            let message = format!("{} was not generated, and is not overwritten", path.display());
+            return Err(io::Error::new(io::ErrorKind::AlreadyExists, message));
+        }
         fs::create_dir_all(folder)?;
         let mut written = Vec::new();
         for file in &self.files {
@@ -121,19 +135,21 @@ impl Output {
         Ok(written)
     }
 
-    /// Compares a folder with the files of several specifications; empty when it is up to date.
+    /// Compares a folder with the files of several specifications; empty when it is up to date. Line ends do not count,
+    /// nor does the fingerprint of the specification's text, which its comments change too.
     pub fn verify(outputs: &[Self], folder: &Path) -> io::Result<Vec<Difference>> {
         let mut differences = Vec::new();
         let mut wanted = BTreeSet::new();
         for file in outputs.iter().flat_map(|output| &output.files) {
             let path = folder.join(&file.name);
             match fs::read(&path) {
-                Ok(found) if found == file.text.as_bytes() => {}
-                Ok(found) => differences.push(Difference::Stale {
-                    path: path.clone(),
-                    found: String::from_utf8_lossy(&found).into_owned(),
-                    wanted: file.text.clone(),
-                }),
+                Ok(found) => {
+                    let found = String::from_utf8_lossy(&found).replace("\r\n", "\n");
+                    if header::without_fingerprint(&found) != header::without_fingerprint(&file.text) {
+                        let wanted = file.text.clone();
+                        differences.push(Difference::Stale { path: path.clone(), found, wanted });
+                    }
+                }
                 Err(error) if error.kind() == io::ErrorKind::NotFound => {
                     differences.push(Difference::Missing(path.clone()));
                 }
@@ -159,10 +175,15 @@ fn left_over(folder: &Path, wanted: &BTreeSet<PathBuf>) -> io::Result<Vec<Differ
     paths.sort();
     let ours = |path: &PathBuf| {
         let known = wanted.iter().any(|wanted| wanted.extension() == path.extension());
-        let head = || fs::read(path).map(|text| String::from_utf8_lossy(&text[..text.len().min(4_000)]).into_owned());
-        known && head().is_ok_and(|head| header::GENERATED.iter().any(|mark| head.contains(mark)))
+        known && fs::read(path).is_ok_and(|text| is_ours(&text))
     };
     Ok(paths.into_iter().filter(|path| !wanted.contains(path) && ours(path)).map(Difference::LeftOver).collect())
+}
+
+/// Whether a file says that it was generated.
+fn is_ours(text: &[u8]) -> bool {
+    let head = String::from_utf8_lossy(&text[..text.len().min(4_000)]);
+    header::GENERATED.iter().any(|mark| head.contains(mark))
 }
 
 /// Writes a file beside its place and moves it there.

@@ -48,21 +48,28 @@
 
 pub mod compare;
 
+mod clock;
 mod columns;
+mod grid;
 mod interface;
 mod mistake;
 mod over;
 mod recording;
+mod residual;
+mod selection;
 mod signals;
 mod steps;
 mod verdict;
 
+pub use clock::TimeUnit;
+pub use grid::TimeError;
 pub use interface::{Answer, Count, Interface, Measured, MeasuredKind};
 pub use mistake::{ReplayError, SignalError};
 pub use over::{Replay, Step};
 pub use recording::{Recording, RecordingError};
+pub use residual::Residual;
 pub use signals::Signals;
-pub use steps::{Row, Sample, Steps, TimeError};
+pub use steps::{Row, Sample, Steps};
 pub use verdict::{Compared, Errors, Verdict};
 
 pub(crate) use interface::{fold, number};

@@ -28,7 +28,7 @@ pub struct Options {
     #[arg(long, value_name = "OUT.svg")]
     plot: Option<PathBuf>,
     /// Instead of all that, a TOML file of recordings with their specifications and references: a table for each
-    #[arg(long, value_name = "TABLE.toml", conflicts_with_all = ["specs", "log", "reference_log", "plot", "map", "reference", "age"])]
+    #[arg(long, value_name = "TABLE.toml", conflicts_with_all = ["specs", "log", "reference_log", "plot", "map", "reference", "age", "time_unit"])]
     table: Option<PathBuf>,
     #[command(flatten)]
     signals: Signals,
@@ -124,7 +124,9 @@ fn held(group: &Group, settings: Settings) -> Result<Option<Contest>, Failure> {
     let interfaces: Vec<_> = entrants.iter().map(Entrant::interface).collect();
     group.signals.check(&interfaces)?;
     let columns: Vec<&str> = group.signals.reference.iter().map(|(_, column)| column.as_str()).collect();
-    let tracks = |path: &Path| -> Result<Vec<Track>, Failure> { Ok(Track::read(open(path)?, &columns)?) };
+    let tracks = |path: &Path| -> Result<Vec<Track>, Failure> {
+        Ok(Track::read(open(path)?, &columns, group.signals.time_unit)?)
+    };
     let elsewhere = group.reference_log.as_deref().map(tracks).transpose()?;
     let mut progress = Progress::new();
     let log = open(&group.log)?;

@@ -108,6 +108,9 @@ fn text_report(generated: &Generated, verdict: &Verdict) -> String {
     for remark in &verdict.remarks {
         let _ = writeln!(text, "{remark}");
     }
+    for residual in &verdict.residuals {
+        let _ = writeln!(text, "{}", residual.shown());
+    }
     if verdict.compared.is_empty() {
         text += "no column is named like a state, and no --reference was given: nothing to compare\n";
         return text;
@@ -116,6 +119,9 @@ fn text_report(generated: &Generated, verdict: &Verdict) -> String {
     for Compared { answer, errors } in &verdict.compared {
         let (rms, max) = errors.shown();
         let _ = writeln!(text, "{:<16} {rms:>12} {max:>12} {:>10}  {}", answer.name, errors.rows, answer.unit);
+    }
+    for line in verdict.compared.iter().filter_map(|it| it.beyond(&generated.design)) {
+        let _ = writeln!(text, "{}", line.trim_end());
     }
     text
 }

@@ -80,7 +80,7 @@ fn provenance(generated: &Generated, source: &Source, language: Language) -> Vec
         Language::Step => "step",
     };
     let mut lines = vec![
-        format!("{GENERATED_BY}{VERSION} from {name}.toml (spec {:016x}).", fingerprint(&source.text)),
+        format!("{GENERATED_BY}{VERSION} from {name}.toml{FINGERPRINT}{:016x}).", fingerprint(&source.text)),
         format!("  deadbeat generate {name}.toml --lang {lang}{scalar} --out ."),
         "Do not edit: change the specification and generate again; `deadbeat verify` shows differences.".into(),
     ];
@@ -89,6 +89,23 @@ fn provenance(generated: &Generated, source: &Source, language: Language) -> Vec
     }
     lines
 }
+
+/// A file's text with no specification's fingerprint in it.
+pub fn without_fingerprint(text: &str) -> String {
+    let line = |line: &str| {
+        let (before, behind) = line.split_once(GENERATED_BY)?;
+        let (what, behind) = behind.split_once(FINGERPRINT)?;
+        Some(format!("{before}{GENERATED_BY}{what}{}", behind.split_once(')')?.1))
+    };
+    let mut changed = String::with_capacity(text.len());
+    for whole in text.split_inclusive('\n') {
+        changed += line(whole).as_deref().unwrap_or(whole);
+    }
+    changed
+}
+
+/// What stands ahead of a fingerprint.
+const FINGERPRINT: &str = " (spec ";
 
 /// FNV-1a over the specification's text, line ends as `\n`.
 pub fn fingerprint(text: &str) -> u64 {

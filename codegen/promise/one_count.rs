@@ -51,7 +51,7 @@ impl OneCount {
 }
 
 /// A sample that is good: the middle of the range, as whole counts where it counts.
-fn middle(output: &Output) -> f64 {
+pub(crate) fn middle(output: &Output) -> f64 {
     let number = |constant: &Constant| constant.to_f64().unwrap_or(0.0);
     let Some((low, high)) = output.raw_range.as_ref().or(output.range.as_ref()) else { return 0.0 };
     let middle = f64::midpoint(number(low), number(high))

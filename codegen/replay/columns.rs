@@ -1,36 +1,14 @@
 //! Which columns of a recording a step reads, and as what.
 
-use std::io::Read;
-
 use crate::plant::Plant;
 
+use super::clock::{TimeUnit, is_time};
 use super::interface::{Count, Interface, MeasuredKind};
 use super::mistake::SignalError;
-use super::recording::{Recording, RecordingError};
+use super::recording::{Header, Recording, RecordingError};
+use super::selection::{Selection, Source};
 use super::signals::{Signals, found};
 use super::steps::Row;
-
-/// Columns to be read, each once.
-#[derive(Clone, Debug, Default)]
-pub struct Selection {
-    names: Vec<String>,
-}
-
-impl Selection {
-    /// The place among the selected cells.
-    pub fn place(&mut self, name: String) -> usize {
-        self.names.iter().position(|other| *other == name).unwrap_or_else(|| {
-            self.names.push(name);
-            self.names.len() - 1
-        })
-    }
-
-    /// Makes a recording deliver them; the cells of a row have this many places.
-    pub fn apply<R: Read>(&self, recording: &mut Recording<R>) -> Result<usize, RecordingError> {
-        let names: Vec<&str> = self.names.iter().map(String::as_str).collect();
-        recording.select(&names).map(|places| places.len())
-    }
-}
 
 /// Where one step finds its signals among the selected cells.
 #[derive(Clone, Debug)]
@@ -42,6 +20,8 @@ pub struct Columns {
     references: Vec<Option<usize>>,
     /// Ages below zero so far: the sensor's time was ahead of the recording's.
     pub negative_ages: u64,
+    /// What is said of the time where its column was found by itself.
+    pub remark: Option<String>,
 }
 
 /// Where a field of the measurements comes from.
@@ -53,6 +33,8 @@ enum Cell {
     Count(usize, Count, String),
     /// The time since the cell's, s.
     Since(usize),
+    /// The cell, which holds how old a sample was at the row's time, s.
+    Age(usize),
 }
 
 impl Columns {
@@ -62,43 +44,55 @@ impl Columns {
         plant: &Plant,
         interface: &Interface,
         signals: &Signals,
-        there: &[String],
+        header: &Header,
         selection: &mut Selection,
         all: bool,
     ) -> Result<Self, SignalError> {
-        // A time that was named with --map must be there; one that was not may be absent.
-        let time = signals.column("t");
-        let timed = time != "t" || there.contains(&time);
-        let time = timed.then(|| selection.place(time));
-        if let (None, Some((name, _))) = (time, signals.age.first()) {
+        let there = &header.columns;
+        let named = |name: &str| Source::named(&signals.column(name), there);
+        let read: Vec<String> = interface
+            .measurements
+            .iter()
+            .map(|field| &field.name)
+            .chain(&interface.inputs)
+            .map(|name| named(name).column)
+            .collect();
+        let (time, remark) = time(signals, header, &read).unzip();
+        if let (None, Some((name, _))) = (&time, signals.age.first()) {
             return Err(SignalError::Timeless { name: name.clone() });
         }
+        let clock = time.as_ref().map_or(TimeUnit::Seconds, |time: &Clock| time.unit);
+        let time = time.map(|time| selection.place(Source::time(&time.column, time.unit)));
         let measurements: Vec<Cell> = interface
             .measurements
             .iter()
             .map(|field| {
-                let mut place = || selection.place(signals.column(&field.name));
+                let mut place = || selection.place(named(&field.name));
                 match field.kind {
                     MeasuredKind::Sample { count: Some(count), .. } => {
-                        Cell::Count(place(), count, signals.column(&field.name))
+                        Cell::Count(place(), count, named(&field.name).column)
                     }
                     MeasuredKind::Sample { count: None, .. } => Cell::Number(place()),
                     MeasuredKind::Age { output } => match found(&signals.age, &plant.outputs[output].label.name) {
-                        Some(column) => Cell::Since(selection.place(column)),
-                        None => Cell::Number(place()),
+                        Some(column) => {
+                            let unit = TimeUnit::of_column(&column).unwrap_or(clock);
+                            Cell::Since(selection.place(Source::time(&column, unit)))
+                        }
+                        None => Cell::Age(place()),
                     },
                 }
             })
             .collect();
-        let inputs = plant.inputs.iter().map(|u| selection.place(signals.column(&u.label.name))).collect();
+        let inputs = plant.inputs.iter().map(|u| selection.place(named(&u.label.name))).collect();
         let read = selection.clone();
         let references = interface.answers.iter().map(|answer| {
             let column = found(&signals.reference, &answer.name).filter(|_| !answer.integer);
-            let named = || all && !answer.integer && there.contains(&answer.name) && !read.names.contains(&answer.name);
-            column.or_else(|| named().then(|| answer.name.clone())).map(|column| selection.place(column))
+            let itself = || all && !answer.integer && there.contains(&answer.name) && !read.has(&answer.name);
+            let column = column.or_else(|| itself().then(|| answer.name.clone()));
+            column.map(|column| selection.place(Source::named(&column, there)))
         });
         let references = references.collect();
-        Ok(Self { time, measurements, inputs, references, negative_ages: 0 })
+        Ok(Self { time, measurements, inputs, references, negative_ages: 0, remark: remark.flatten() })
     }
 
     /// Per field of the estimate: whether it is compared.
@@ -106,9 +100,18 @@ impl Columns {
         self.references.iter().map(Option::is_some).collect()
     }
 
-    /// The row of a step; a count that is none is an error with its place in the recording.
-    pub fn row<R>(&mut self, cells: &[f64], recording: &Recording<R>) -> Result<Row, RecordingError> {
+    /// The row of a step, which is called for a row of a time at another one, s, that ages are told from; a count that is
+    /// none is an error with its place in the recording.
+    pub fn row<R>(
+        &mut self,
+        cells: &[f64],
+        recording: &Recording<R>,
+        call: impl Fn(f64) -> f64,
+    ) -> Result<Row, RecordingError> {
         let t = self.time.map(|place| cells[place]);
+        // The call is some time after the row, or up to half a sample before it; a sample is no younger than new.
+        let later = t.map_or(0.0, |t| call(t) - t);
+        let older = |age: f64| if age >= 0.0 { (age + later).max(0.0) } else { age };
         let mut measurements = Vec::with_capacity(self.measurements.len());
         for cell in &self.measurements {
             measurements.push(match cell {
@@ -117,8 +120,9 @@ impl Columns {
                 Cell::Since(place) => {
                     let age = since(t.unwrap_or(f64::NAN), cells[*place]);
                     self.negative_ages += u64::from(age.is_none());
-                    age.unwrap_or(f64::NAN)
+                    age.map_or(f64::NAN, older)
                 }
+                Cell::Age(place) => older(cells[*place]),
             });
         }
         Ok(Row {
@@ -128,6 +132,28 @@ impl Columns {
             references: self.references.iter().map(|place| place.map_or(f64::NAN, |place| cells[place])).collect(),
         })
     }
+}
+
+/// The column of the time, and its unit.
+struct Clock {
+    column: String,
+    unit: TimeUnit,
+}
+
+/// Finds the time: the column that was named, `t`, or one that is named like a time and not `read`; and what is said of
+/// it. A time that was named must be there; one that was not may be absent.
+fn time(signals: &Signals, header: &Header, read: &[String]) -> Option<(Clock, Option<String>)> {
+    let there = &header.columns;
+    let named = found(&signals.map, "t");
+    let given = named.clone().or_else(|| there.iter().find(|column| *column == "t").cloned());
+    let alike = || there.iter().find(|column| is_time(column) && !read.contains(column)).cloned();
+    let column = given.clone().or_else(alike)?;
+    let below = there.iter().position(|other| *other == column).and_then(|place| header.units.get(place));
+    let labelled = TimeUnit::of_column(&column).or_else(|| TimeUnit::of_cell(below?));
+    let unit = signals.time_unit.or(labelled).unwrap_or_default();
+    let itself = given.is_none() || signals.time_unit.is_none() && unit != TimeUnit::Seconds;
+    let remark = itself.then(|| format!("the time is the column `{column}`, in {unit}"));
+    Some((Clock { column, unit }, remark))
 }
 
 /// The time since a stamp, s; `None` where that is below zero by more than the rounding of two decimals.
@@ -150,4 +176,11 @@ fn counted<R>(value: f64, count: Count, column: &str, recording: &Recording<R>) 
         (format!("{value} is not {sign} integer of {} bits", count.bits), "the recording has to hold the raw counts")
     };
     Err(recording.complaint(column, message, help))
+}
+
+/// The column of the time in a recording of references, and its unit; `t` where there is none.
+pub(super) fn time_of_references(header: &Header, unit: Option<TimeUnit>) -> Source {
+    let signals = Signals { time_unit: unit, ..Signals::default() };
+    let clock = time(&signals, header, &[]).map(|(clock, _)| clock);
+    clock.map_or_else(|| Source::time("t", TimeUnit::Seconds), |clock| Source::time(&clock.column, clock.unit))
 }

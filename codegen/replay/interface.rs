@@ -1,5 +1,6 @@
 //! What a step takes and gives, by the fields of its Program: what a replay hands over, and what it may compare.
 
+use crate::estimator::Design;
 use crate::expr::Constant;
 use crate::generated::Generated;
 use crate::plant::Plant;
@@ -133,6 +134,14 @@ impl Count {
 }
 
 impl Answer {
+    /// What is promised of its error where the status is converged, in its unit.
+    pub fn bound(&self, design: &Design) -> Option<f64> {
+        let longer = self.window.and_then(|window| usize::try_from(window).ok()?.checked_sub(2));
+        let certificate =
+            longer.map_or(Some(&design.certificate), |place| Some(&design.longer.get(place)?.certificate));
+        certificate?.error_bound.get(self.state?).copied().flatten()
+    }
+
     /// The difference to a reference, within half a turn where turns are no difference.
     pub fn error(&self, estimate: f64, reference: f64) -> f64 {
         fold(estimate - reference, &self.turns)

@@ -4,10 +4,11 @@ use std::io::Read;
 
 use crate::generated::Generated;
 
-use super::columns::{Columns, Selection};
+use super::columns::Columns;
 use super::interface::Interface;
 use super::mistake::ReplayError;
 use super::recording::{Recording, RecordingError};
+use super::selection::Selection;
 use super::signals::Signals;
 use super::steps::{Row, Sample, Steps};
 use super::verdict::{Compared, Verdict};
@@ -43,8 +44,8 @@ impl<'a, R: Read> Replay<'a, R> {
         signals.check(&[steps.interface()])?;
         signals.check_references(steps.interface())?;
         let mut selection = Selection::default();
-        let there = recording.columns().to_vec();
-        let columns = Columns::find(&generated.plant, steps.interface(), signals, &there, &mut selection, true)?;
+        let header = recording.header().clone();
+        let columns = Columns::find(&generated.plant, steps.interface(), signals, &header, &mut selection, true)?;
         let width = selection.apply(&mut recording)?;
         Ok(Self { recording, columns, cells: vec![0.0; width], steps, ended: false })
     }
@@ -80,15 +81,20 @@ impl<'a, R: Read> Replay<'a, R> {
             compared: compared
                 .map(|((answer, errors), _)| Compared { answer: answer.clone(), errors: errors.clone() })
                 .collect(),
-            remarks: steps.remarks(negative_ages),
+            residuals: steps.residuals(),
+            remarks: self.columns.remark.iter().cloned().chain(steps.remarks(negative_ages)).collect(),
         }
     }
 
     fn step(&mut self) -> Result<Option<Step>, RecordingError> {
         if !self.recording.next_row(&mut self.cells)? {
-            return if self.steps.rows == 0 { Err(self.recording.has_no_rows()) } else { Ok(None) };
+            if self.steps.rows == 0 {
+                return Err(self.recording.has_no_rows());
+            }
+            return self.steps.judge().map(|()| None).map_err(|error| self.recording.unfit_whole(&error));
         }
-        let row = self.columns.row(&self.cells, &self.recording)?;
+        let steps = &self.steps;
+        let row = self.columns.row(&self.cells, &self.recording, |now| steps.time_of_call(now))?;
         let sample = self.steps.feed(&row).map_err(|error| self.recording.unfit(&error))?;
         Ok(Some(Step { row, sample }))
     }

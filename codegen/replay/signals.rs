@@ -1,17 +1,21 @@
 //! What a caller says of a recording's columns.
 
+use super::clock::TimeUnit;
 use super::interface::Interface;
 use super::mistake::SignalError;
 
 /// What the columns of a recording mean, where their names do not say it: pairs of a name and a column.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Signals {
-    /// A measurement, an input or the time `t` that has another name in the recording.
+    /// A measurement, an input or the time `t` that has another name in the recording. Behind the name of a column a factor
+    /// may stand, as in `angle*pi/180`; so it may in references.
     pub map: Vec<(String, String)>,
     /// A state and the column to compare it with.
     pub reference: Vec<(String, String)>,
     /// An output whose age is measured, and the column with its sensor's own time, s.
     pub age: Vec<(String, String)>,
+    /// The unit of the time, where neither the name of its column nor a row of units says it.
+    pub time_unit: Option<TimeUnit>,
 }
 
 impl Signals {

@@ -4,14 +4,15 @@
 //! therefore gets the held inputs of the row before and the first-order inputs of this one. Where
 //! the recording's time jumps over samples, the step is told that they are missing.
 
-use std::fmt;
-
 use crate::generated::Generated;
+use crate::numbers::short;
 use crate::plant::{Hold, Plant};
 use crate::program::Status;
 use crate::program::interp::Interpreter;
 
+use super::grid::{Grid, Place, TimeError};
 use super::interface::{Count, Interface, MeasuredKind, fold};
+use super::residual::{Innovations, Residual};
 use super::verdict::Errors;
 
 /// One row of a recording.
@@ -45,10 +46,11 @@ pub struct Steps<'a> {
     interpreter: Interpreter,
     held: Vec<f64>,
     previous: Option<Row>,
-    /// Of the first row, s.
-    start: Option<f64>,
+    /// What the newest call gave.
+    newest: Option<(Vec<f64>, Status)>,
+    grid: Grid,
+    innovations: Option<Innovations>,
     calls: u64,
-    odd_rows: u32,
     /// Rows fed.
     pub rows: u64,
     /// Rows with a converged or coasting estimate.
@@ -61,38 +63,9 @@ pub struct Steps<'a> {
     pub left_out: u64,
     /// Per field of the estimate.
     pub errors: Vec<Errors>,
+    /// Likewise: what is promised of it.
+    bounds: Vec<Option<f64>>,
 }
-
-/// Why a row's time does not fit.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct TimeError {
-    /// What is wrong with it.
-    pub message: String,
-    /// What to do about it.
-    pub help: Option<String>,
-}
-
-impl fmt::Display for TimeError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.message)
-    }
-}
-
-impl std::error::Error for TimeError {}
-
-/// Rows in a row whose spacing does not fit before the recording is refused.
-const ODD_ROWS: u32 = 8;
-/// Rows before the recording's rate is compared with the sample time: until then, jitter hides it.
-const RATE_ROWS: u64 = 100;
-/// Samples by which the recording's time and the steps may differ, whatever the length.
-const RATE_SAMPLES: f64 = 2.0;
-/// Share of the steps by which they may differ besides: a drive's clock drifts by up to 0.1 %.
-const RATE_SHARE: f64 = 0.01;
-/// Samples that one jump of the time may leave out.
-const LARGEST_GAP: f64 = 1e6;
-
-/// What to do about a recording at another rate.
-const RATE_HELP: &str = "set the specification's `sample_time` to the recording's, or resample the recording";
 
 impl<'a> Steps<'a> {
     /// Starts with nothing seen.
@@ -103,15 +76,17 @@ impl<'a> Steps<'a> {
             interpreter: Interpreter::new(&generated.program),
             held: vec![0.0; generated.plant.inputs.len()],
             previous: None,
-            start: None,
+            newest: None,
+            grid: Grid::new(generated.plant.sample_time_s()),
+            innovations: Innovations::of(generated, &interface),
             calls: 0,
-            odd_rows: 0,
             rows: 0,
             converged_rows: 0,
             coasting_rows: 0,
             converged_from: None,
             left_out: 0,
             errors: vec![Errors::default(); interface.answers.len()],
+            bounds: interface.answers.iter().map(|answer| answer.bound(&generated.design)).collect(),
             interface,
         }
     }
@@ -132,21 +107,29 @@ impl<'a> Steps<'a> {
 
     /// Whether the recording has times.
     pub fn timed(&self) -> bool {
-        self.start.is_some()
+        self.grid.timed()
     }
 
     /// What the recording has that a report should not keep silent about, a line each; `negative_ages` are samples of
     /// a later time than their row's.
     pub fn remarks(&self, negative_ages: u64) -> Vec<String> {
         let mut remarks = Vec::new();
+        let h = self.plant().sample_time_s();
         if !self.timed() {
-            let h = self.plant().sample_time_s();
             remarks.push(format!("the recording has no column `t`: its rows are taken to be {h} s apart"));
         }
         if self.left_out > 0 {
             let counts = self.interface.measurements.iter().any(|field| field.kind.is_count());
             let what = if counts { "put on a straight line" } else { "treated as missing" };
             remarks.push(format!("{} samples that the recording's time leaves out were {what}", self.left_out));
+        }
+        if self.grid.doubled() > 0 {
+            let doubled = self.grid.doubled();
+            remarks.push(format!("{doubled} rows were left out, since another row belongs to the same call"));
+        }
+        if self.grid.off() > 0.1 * h {
+            let off = short(self.grid.off());
+            remarks.push(format!("rows are {off} s (RMS) off the times of their calls, which are {h} s apart"));
         }
         if negative_ages > 0 {
             remarks.push(format!(
@@ -156,38 +139,76 @@ impl<'a> Steps<'a> {
         remarks
     }
 
-    /// Takes one row.
+    /// The time of the call that a row of this time belongs to, s.
+    pub fn time_of_call(&self, now: f64) -> f64 {
+        self.grid.time_of_call(now)
+    }
+
+    /// Takes one row. A row whose call has had one already is left out: the estimate is that of the call.
     ///
     /// # Errors
-    /// When its time does not rise, or is not that of the specification's sample time.
+    /// When its time does not rise, or jumps too far.
     pub fn feed(&mut self, row: &Row) -> Result<Sample, TimeError> {
-        let gap = self.gap(row)?;
-        self.check_rate(row, gap)?;
+        let place = row.t.map_or(Ok(Place::Behind(1)), |now| self.grid.take(now))?;
+        self.rows += 1;
+        let newest = match (place, self.newest.take()) {
+            (Place::Taken, Some(newest)) => newest,
+            (Place::Behind(gap), _) => self.called(row, gap),
+            (Place::Taken, None) => unreachable!("the first row has a call of its own"),
+        };
+        let t = row.t.unwrap_or_else(|| self.now());
+        self.previous = Some(row.clone());
+        let (estimate, status) = self.newest.insert(newest).clone();
+        Ok(Sample { t, estimate, status })
+    }
+
+    /// What is to be said at the end of the recording.
+    ///
+    /// # Errors
+    /// When its rows are at another rate than the step.
+    pub fn judge(&self) -> Result<(), TimeError> {
+        self.grid.judge(self.converged_rows > 0)
+    }
+
+    /// Calls the step for a row that is `gap` calls behind the previous one.
+    fn called(&mut self, row: &Row, gap: u64) -> (Vec<f64>, Status) {
         let previous = self.previous.take();
         let mut estimate = vec![0.0; self.interface.answers.len()];
         if let Some(previous) = &previous {
             for missing in 1..gap {
                 let inputs = self.inputs(previous, row, missing, gap);
                 let nothing = self.between(previous, row, missing, gap);
-                self.interpreter.step(&nothing, &inputs, &mut estimate);
+                let status = self.interpreter.step(&nothing, &inputs, &mut estimate);
+                self.foretell(&nothing, &inputs, &estimate, status);
                 self.calls += 1;
                 self.left_out += 1;
             }
         }
         let inputs = self.inputs(previous.as_ref().unwrap_or(row), row, gap, gap);
         let status = self.interpreter.step(&row.measurements, &inputs, &mut estimate);
+        self.foretell(&row.measurements, &inputs, &estimate, status);
         self.compare(row, &estimate, status);
-        let t = row.t.unwrap_or_else(|| self.now());
         self.calls += 1;
-        self.rows += 1;
-        self.start = self.start.or(row.t);
-        self.previous = Some(row.clone());
-        Ok(Sample { t, estimate, status })
+        (estimate, status)
+    }
+
+    /// Compares the samples of a call with what was foretold of them, and foretells the next.
+    fn foretell(&mut self, measurements: &[f64], inputs: &[f64], estimate: &[f64], status: Status) {
+        let Some(innovations) = &mut self.innovations else { return };
+        let fields = self.interface.measurements.iter().zip(measurements);
+        let samples = fields.filter(|(field, _)| matches!(field.kind, MeasuredKind::Sample { .. })).map(|(_, it)| *it);
+        innovations.call(&samples.collect::<Vec<_>>(), inputs, estimate, status != Status::Converging);
+    }
+
+    /// What the samples were against what the estimates before them foretold, per output; empty where an estimate
+    /// foretells nothing.
+    pub fn residuals(&self) -> Vec<Residual> {
+        self.innovations.as_ref().map_or_else(Vec::new, |innovations| innovations.judged(self.generated))
     }
 
     #[expect(clippy::cast_precision_loss, reason = "a recording has fewer than 2^53 rows")]
     fn now(&self) -> f64 {
-        self.calls as f64 * self.plant().sample_time_s()
+        self.calls.saturating_sub(1) as f64 * self.plant().sample_time_s()
     }
 
     fn compare(&mut self, row: &Row, estimate: &[f64], status: Status) {
@@ -199,7 +220,9 @@ impl<'a> Steps<'a> {
         self.converged_from = self.converged_from.or(Some(self.calls + 1));
         for (place, reference) in row.references.iter().enumerate() {
             if reference.is_finite() && self.interface.has_converged(place, estimate, status) {
-                self.errors[place].add(self.interface.answers[place].error(estimate[place], *reference));
+                let error = self.interface.answers[place].error(estimate[place], *reference);
+                let bound = self.bounds[place].filter(|_| status == Status::Converged);
+                self.errors[place].add(error, bound);
             }
         }
     }
@@ -229,60 +252,6 @@ impl<'a> Steps<'a> {
         }
         self.held.clone()
     }
-
-    /// Samples since the previous row, at least 1.
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "rounded, positive and bounded just before"
-    )]
-    fn gap(&mut self, row: &Row) -> Result<u64, TimeError> {
-        let Some((before, now)) = self.previous.as_ref().and_then(|p| p.t).zip(row.t) else { return Ok(1) };
-        let h = self.plant().sample_time_s();
-        let samples = (now - before) / h;
-        if samples.is_nan() || samples <= 0.0 {
-            return Err(unfit(format!("the time does not rise: {now} s behind {before} s")));
-        }
-        if samples > LARGEST_GAP {
-            return Err(unfit(format!("the time jumps by {samples:.0} samples, from {before} s to {now} s")));
-        }
-        let fits = (0.75..1.5).contains(&samples);
-        self.odd_rows = if fits { 0 } else { self.odd_rows + 1 };
-        if self.odd_rows == ODD_ROWS {
-            let spacing = now - before;
-            return Err(another_rate(format!(
-                "rows are {spacing:.6} s apart, the specification's sample time is {h} s"
-            )));
-        }
-        Ok((samples.round() as u64).max(1))
-    }
-
-    /// Refuses a row `gap` samples behind the previous one when the time since the first row is not
-    /// that of the steps: every row may be near the sample time, and the recording still be at
-    /// another rate.
-    #[expect(clippy::cast_precision_loss, reason = "a recording has fewer than 2^53 samples")]
-    fn check_rate(&self, row: &Row, gap: u64) -> Result<(), TimeError> {
-        let Some((start, now)) = self.start.zip(row.t).filter(|_| self.rows >= RATE_ROWS) else { return Ok(()) };
-        let h = self.plant().sample_time_s();
-        // The first row is at step 0, the previous one at `self.calls - 1`.
-        let steps = (self.calls - 1 + gap) as f64;
-        if ((now - start) / h - steps).abs() <= RATE_SAMPLES + RATE_SHARE * steps {
-            return Ok(());
-        }
-        let spacing = (now - start) / steps;
-        Err(another_rate(format!(
-            "samples are {spacing:.6} s apart in the mean of {steps} since the first row, \
-             the specification's sample time is {h} s"
-        )))
-    }
-}
-
-fn unfit(message: String) -> TimeError {
-    TimeError { message, help: None }
-}
-
-fn another_rate(message: String) -> TimeError {
-    TimeError { message, help: Some(RATE_HELP.into()) }
 }
 
 /// The count at a share of the way from one count to another, the shorter way round.

@@ -1,8 +1,10 @@
 //! What a replay came to.
 
+use crate::estimator::Design;
 use crate::numbers::short;
 
 use super::interface::Answer;
+use super::residual::Residual;
 
 /// What a replay came to.
 #[derive(Clone, Debug)]
@@ -21,6 +23,8 @@ pub struct Verdict {
     pub negative_ages: u64,
     /// What was compared, in the order of the estimate's fields.
     pub compared: Vec<Compared>,
+    /// The samples against what the estimates before them foretold, per output.
+    pub residuals: Vec<Residual>,
     /// What the recording has that a report should not keep silent about, a line each.
     pub remarks: Vec<String>,
 }
@@ -42,6 +46,10 @@ pub struct Errors {
     pub max: Option<f64>,
     /// Rows compared.
     pub rows: u64,
+    /// Of these, rows with a bound: converged, of a state that has one.
+    pub bounded: u64,
+    /// Of these, rows whose error is beyond the bound.
+    pub beyond: u64,
 }
 
 impl Verdict {
@@ -54,7 +62,11 @@ impl Verdict {
     #[cfg(feature = "json")]
     pub fn to_json(&self) -> serde_json::Value {
         let error = |it: &Compared| {
-            (it.answer.name.clone(), serde_json::json!({ "rms": it.errors.rms(), "max": it.errors.max }))
+            let mut error = serde_json::json!({ "rms": it.errors.rms(), "max": it.errors.max });
+            if let Some(share) = it.errors.share_beyond() {
+                error["beyond_bound"] = share.into();
+            }
+            (it.answer.name.clone(), error)
         };
         let errors: serde_json::Map<String, serde_json::Value> = self.compared.iter().map(error).collect();
         let mut report = serde_json::json!({
@@ -63,6 +75,9 @@ impl Verdict {
             "coasting_rows": self.coasting_rows,
             "errors": errors,
         });
+        if !self.residuals.is_empty() {
+            report["residuals"] = self.residuals.iter().map(Residual::to_json).collect();
+        }
         if self.negative_ages > 0 {
             report["negative_ages"] = self.negative_ages.into();
         }
@@ -70,8 +85,19 @@ impl Verdict {
     }
 }
 
+impl Compared {
+    /// The share of rows beyond the bound that a design promises, in a line; `None` where there is none.
+    pub fn beyond(&self, design: &Design) -> Option<String> {
+        let (share, bound) = self.errors.share_beyond().zip(self.answer.bound(design))?;
+        let (name, unit, rows) = (&self.answer.name, &self.answer.unit, self.errors.bounded);
+        Some(format!("{name}: {} % of {rows} rows beyond the bound, {} {unit}", short(100.0 * share), short(bound)))
+    }
+}
+
 impl Errors {
-    pub(super) fn add(&mut self, error: f64) {
+    pub(super) fn add(&mut self, error: f64, bound: Option<f64>) {
+        self.bounded += u64::from(bound.is_some());
+        self.beyond += u64::from(bound.is_some_and(|bound| error.abs() > bound));
         self.sum_of_squares += error * error;
         self.max = Some(self.max.map_or(error.abs(), |max| max.max(error.abs())));
         self.rows += 1;
@@ -81,6 +107,12 @@ impl Errors {
     #[expect(clippy::cast_precision_loss, reason = "a recording has fewer than 2^53 rows")]
     pub fn rms(&self) -> Option<f64> {
         (self.rows > 0).then(|| (self.sum_of_squares / self.rows as f64).sqrt())
+    }
+
+    /// The share of the rows with a bound that are beyond it; `None` when there are none.
+    #[expect(clippy::cast_precision_loss, reason = "a recording has fewer than 2^53 rows")]
+    pub fn share_beyond(&self) -> Option<f64> {
+        (self.bounded > 0).then(|| self.beyond as f64 / self.bounded as f64)
     }
 
     /// Root mean square and largest magnitude for people, `-` when nothing was compared.

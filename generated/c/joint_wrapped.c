@@ -8,7 +8,7 @@
 #if defined(__clang__)
 #pragma STDC FP_CONTRACT OFF
 #elif defined(__GNUC__)
-#pragma GCC optimize("fp-contract=off")
+#pragma GCC optimize("fp-contract=off", "no-tree-loop-distribute-patterns")
 #elif defined(_MSC_VER)
 #pragma fp_contract(off)
 #endif
@@ -36,12 +36,17 @@ static uint32_t joint_wrapped_f32_to_bits(float x)
     return cell.bits;
 }
 
-/* Bits of the sign, of the largest magnitude, of infinity, of the only NaN returned, of 1. */
+/* The bit of the sign. */
 #define JOINT_WRAPPED_SIGN_F32 UINT32_C(0x80000000)
+
+/* The bits of the largest magnitude. */
 #define JOINT_WRAPPED_MAGNITUDE_F32 UINT32_C(0x7FFFFFFF)
+
+/* The bits of infinity. */
 #define JOINT_WRAPPED_INFINITY_F32 UINT32_C(0x7F800000)
+
+/* The bits of the only NaN that is returned. */
 #define JOINT_WRAPPED_NAN_F32 UINT32_C(0x7FC00000)
-#define JOINT_WRAPPED_ONE_F32 UINT32_C(0x3F800000)
 
 /* The number with these bits. */
 static float joint_wrapped_f32_from_bits(uint32_t bits)

@@ -8,7 +8,7 @@
 #if defined(__clang__)
 #pragma STDC FP_CONTRACT OFF
 #elif defined(__GNUC__)
-#pragma GCC optimize("fp-contract=off")
+#pragma GCC optimize("fp-contract=off", "no-tree-loop-distribute-patterns")
 #elif defined(_MSC_VER)
 #pragma fp_contract(off)
 #endif
@@ -197,11 +197,19 @@ static uint32_t lossy_position_f32_to_bits(float x)
     return cell.bits;
 }
 
-/* Bits of the sign, of the largest magnitude, of infinity, of the only NaN returned, of 1. */
+/* The bit of the sign. */
 #define LOSSY_POSITION_SIGN_F32 UINT32_C(0x80000000)
+
+/* The bits of the largest magnitude. */
 #define LOSSY_POSITION_MAGNITUDE_F32 UINT32_C(0x7FFFFFFF)
+
+/* The bits of infinity. */
 #define LOSSY_POSITION_INFINITY_F32 UINT32_C(0x7F800000)
+
+/* The bits of the only NaN that is returned. */
 #define LOSSY_POSITION_NAN_F32 UINT32_C(0x7FC00000)
+
+/* The bits of 1. */
 #define LOSSY_POSITION_ONE_F32 UINT32_C(0x3F800000)
 
 /* The number with these bits. */
@@ -371,9 +379,8 @@ static lossy_position_scaled_t lossy_position_quotient(lossy_position_scaled_t a
     return lossy_position_normalised(high, a.exponent - b.exponent + 1);
 }
 
-/* 1 / log(2) with 127 fraction bits. */
+/* The first 64 bits of 1 / log(2), 63 of them behind the point. */
 #define LOSSY_POSITION_LOG2_E UINT64_C(0xB8AA3B295C17F0BB)
-#define LOSSY_POSITION_LOG2_E_LOW UINT64_C(0xBE87FED0691D3E88)
 
 /* (2^g - 1) / g for 0 <= g < 1/16. */
 static const uint64_t LOSSY_POSITION_EXP2[7] = {

@@ -8,7 +8,7 @@
 #if defined(__clang__)
 #pragma STDC FP_CONTRACT OFF
 #elif defined(__GNUC__)
-#pragma GCC optimize("fp-contract=off")
+#pragma GCC optimize("fp-contract=off", "no-tree-loop-distribute-patterns")
 #elif defined(_MSC_VER)
 #pragma fp_contract(off)
 #endif
@@ -654,12 +654,17 @@ static uint64_t motor_continuous_f64_to_bits(double x)
     return cell.bits;
 }
 
-/* Bits of the sign, of the largest magnitude, of infinity, of the only NaN returned, of 1. */
+/* The bit of the sign. */
 #define MOTOR_CONTINUOUS_SIGN_F64 UINT64_C(0x8000000000000000)
+
+/* The bits of the largest magnitude. */
 #define MOTOR_CONTINUOUS_MAGNITUDE_F64 UINT64_C(0x7FFFFFFFFFFFFFFF)
+
+/* The bits of infinity. */
 #define MOTOR_CONTINUOUS_INFINITY_F64 UINT64_C(0x7FF0000000000000)
+
+/* The bits of the only NaN that is returned. */
 #define MOTOR_CONTINUOUS_NAN_F64 UINT64_C(0x7FF8000000000000)
-#define MOTOR_CONTINUOUS_ONE_F64 UINT64_C(0x3FF0000000000000)
 
 /* The number with these bits. */
 static double motor_continuous_f64_from_bits(uint64_t bits)

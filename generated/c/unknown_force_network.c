@@ -8,7 +8,7 @@
 #if defined(__clang__)
 #pragma STDC FP_CONTRACT OFF
 #elif defined(__GNUC__)
-#pragma GCC optimize("fp-contract=off")
+#pragma GCC optimize("fp-contract=off", "no-tree-loop-distribute-patterns")
 #elif defined(_MSC_VER)
 #pragma fp_contract(off)
 #endif
@@ -341,8 +341,10 @@ static unknown_force_network_signed_t unknown_force_network_cosine_at(unknown_fo
     return unknown_force_network_sine_at(unknown_force_network_turned(angle.rest, angle.quadrant + 1));
 }
 
-/* 1 / log(2) with 127 fraction bits. */
+/* The first 64 bits of 1 / log(2), 63 of them behind the point. */
 #define UNKNOWN_FORCE_NETWORK_LOG2_E UINT64_C(0xB8AA3B295C17F0BB)
+
+/* The 64 bits of 1 / log(2) that follow. */
 #define UNKNOWN_FORCE_NETWORK_LOG2_E_LOW UINT64_C(0xBE87FED0691D3E88)
 
 /* (2^g - 1) / g for 0 <= g < 1/16. */
@@ -407,11 +409,19 @@ static uint64_t unknown_force_network_f64_to_bits(double x)
     return cell.bits;
 }
 
-/* Bits of the sign, of the largest magnitude, of infinity, of the only NaN returned, of 1. */
+/* The bit of the sign. */
 #define UNKNOWN_FORCE_NETWORK_SIGN_F64 UINT64_C(0x8000000000000000)
+
+/* The bits of the largest magnitude. */
 #define UNKNOWN_FORCE_NETWORK_MAGNITUDE_F64 UINT64_C(0x7FFFFFFFFFFFFFFF)
+
+/* The bits of infinity. */
 #define UNKNOWN_FORCE_NETWORK_INFINITY_F64 UINT64_C(0x7FF0000000000000)
+
+/* The bits of the only NaN that is returned. */
 #define UNKNOWN_FORCE_NETWORK_NAN_F64 UINT64_C(0x7FF8000000000000)
+
+/* The bits of 1. */
 #define UNKNOWN_FORCE_NETWORK_ONE_F64 UINT64_C(0x3FF0000000000000)
 
 /* The number with these bits. */

@@ -31,15 +31,16 @@ macro_rules! parts {
 /// All parts, each behind those that it requires: the order in which they are written.
 #[rustfmt::skip]
 pub const PARTS: &[Part] = parts! {
-    index_from_f32 index_from_f64 f32_cell_t f32_to_bits format_f32 f32_from_bits scaled_t signed_t turned_t signed
-    fraction mul_high squared_fraction scaled settled cosine sine sine_at turned leading_zeros normalised unpacked_f32
-    window_f32 product pi_constant turned_from_quarters reduce_f32 rounded_f32 sign_f32 sin_f32 cosine_at cos_f32
-    reciprocal quotient tan_f32 nearest_quarter small_arc tabulated_arc quarters aligned sum difference arc angle
-    reciprocal_root root square_root other_leg asin_f32 acos_f32 atan_f32 atan2_f32 log2_e_constant exp2_fraction exp2
-    exp_f32 times_log_two twice_atanh logarithm log_f32 sqrt_f32 small_tanh tanh tanh_f32 parity_f32 limit_f32
-    tie_restored general_pow_f32 pow_f32 f64_cell_t f64_to_bits format_f64 f64_from_bits unpacked_f64 window_f64
-    pair_t pair mul_full reduce_f64 rounded_f64 sign_f64 sin_f64 cos_f64 tan_f64 asin_f64 acos_f64 atan_f64 atan2_f64
-    pair_sum pair_times exp_f64 log_f64 sqrt_f64 tanh_f64 parity_f64 limit_f64 pair_difference pair_product
+    index_from_f32 index_from_f64 f32_cell_t f32_to_bits sign_bit_f32 magnitude_f32 infinity_f32 nan_f32 one_f32
+    f32_from_bits scaled_t signed_t turned_t signed fraction mul_high squared_fraction scaled settled cosine sine
+    sine_at turned leading_zeros normalised unpacked_f32 window_f32 product pi_constant turned_from_quarters
+    reduce_f32 rounded_f32 sign_f32 sin_f32 cosine_at cos_f32 reciprocal quotient tan_f32 nearest_quarter small_arc
+    tabulated_arc quarters aligned sum difference arc angle reciprocal_root root square_root other_leg asin_f32
+    acos_f32 atan_f32 atan2_f32 log2_e_constant log2_e_low_constant exp2_fraction exp2 exp_f32 times_log_two
+    twice_atanh logarithm log_f32 sqrt_f32 small_tanh tanh tanh_f32 parity_f32 limit_f32 tie_restored general_pow_f32
+    pow_f32 f64_cell_t f64_to_bits sign_bit_f64 magnitude_f64 infinity_f64 nan_f64 one_f64 f64_from_bits unpacked_f64
+    window_f64 pair_t pair mul_full reduce_f64 rounded_f64 sign_f64 sin_f64 cos_f64 tan_f64 asin_f64 acos_f64 atan_f64
+    atan2_f64 pair_sum pair_times exp_f64 log_f64 sqrt_f64 tanh_f64 parity_f64 limit_f64 pair_difference pair_product
     log2_near_one log2_wide general_pow_f64 pow_f64
 };
 

@@ -5,10 +5,12 @@ use std::io::Read;
 use crate::program::Status;
 use crate::program::cost::{Cost, cost};
 
-use super::super::columns::{Columns, Selection};
+use super::super::columns::Columns;
 use super::super::interface::{Answer, Interface};
 use super::super::mistake::{ReplayError, SignalError};
-use super::super::recording::{Recording, RecordingError};
+use super::super::recording::Recording;
+use super::super::residual::Residual;
+use super::super::selection::{Selection, Source};
 use super::super::signals::Signals;
 use super::super::steps::{Sample, Steps};
 use super::entrant::Entrant;
@@ -51,6 +53,8 @@ pub struct Rival {
     pub converged_row: Option<usize>,
     /// From the first row on until then, s.
     pub converged_after: Option<f64>,
+    /// The samples against what the estimates before them foretold, per output.
+    pub residuals: Vec<Residual>,
 }
 
 /// A quantity that all estimate, and what it is compared with.
@@ -122,7 +126,8 @@ impl Quantity {
         let score = |(entrant, estimate): (&Entrant, &Vec<f64>)| {
             let answer = &entrant.interface.answers[entrant.places[r]];
             let (reference, rows) = (&self.reference, &self.compared);
-            Pair { answer, times, estimate, reference, rows }.score(entrant.generated.plant.sample_time_s())
+            let bound = answer.bound(&entrant.generated.design);
+            Pair { answer, times, estimate, reference, rows, bound }.score(entrant.generated.plant.sample_time_s())
         };
         self.scores = entrants.iter().zip(&self.estimates).map(score).collect();
     }
@@ -136,16 +141,16 @@ fn replayed<R: Read>(
     own: bool,
     progress: &mut dyn FnMut(u64),
 ) -> Result<Contest, ReplayError> {
-    let there = recording.columns().to_vec();
+    let header = recording.header().clone();
     let mut selection = Selection::default();
     let read = Signals { reference: Vec::new(), ..signals.clone() };
     let mut columns = Vec::new();
     for it in entrants {
-        columns.push(Columns::find(&it.generated.plant, &it.interface, &read, &there, &mut selection, false)?);
+        columns.push(Columns::find(&it.generated.plant, &it.interface, &read, &header, &mut selection, false)?);
         selection.apply(&mut recording)?;
     }
     let own = signals.reference.iter().filter(|_| own);
-    let own: Vec<usize> = own.map(|(_, column)| selection.place(column.clone())).collect();
+    let own: Vec<usize> = own.map(|(_, column)| selection.place(Source::named(column, &header.columns))).collect();
     let width = selection.apply(&mut recording)?;
 
     let mut contest = Contest::new(entrants, signals, recording.name());
@@ -153,12 +158,8 @@ fn replayed<R: Read>(
     let mut cells = vec![0.0; width];
     while recording.next_row(&mut cells)? {
         for (place, columns) in columns.iter_mut().enumerate() {
-            let row = columns.row(&cells, &recording)?;
-            let sample = all[place].feed(&row).map_err(|error| {
-                let unfit: RecordingError = recording.unfit(&error);
-                let message = format!("{} does not fit the recording: {}", entrants[place].file, unfit.message);
-                RecordingError { message, ..unfit }
-            })?;
+            let row = columns.row(&cells, &recording, |now| all[place].time_of_call(now))?;
+            let sample = all[place].feed(&row).map_err(|error| entrants[place].unfit(recording.unfit(&error)))?;
             contest.take(place, &entrants[place], &sample)?;
         }
         for (quantity, place) in contest.quantities.iter_mut().zip(&own) {
@@ -170,8 +171,14 @@ fn replayed<R: Read>(
     if contest.rows == 0 {
         return Err(recording.has_no_rows().into());
     }
+    for (steps, entrant) in all.iter().zip(entrants) {
+        steps.judge().map_err(|error| entrant.unfit(recording.unfit_whole(&error)))?;
+    }
+    for (rival, steps) in contest.rivals.iter_mut().zip(&all) {
+        rival.residuals = steps.residuals();
+    }
     for (steps, columns) in all.iter().zip(&columns) {
-        for remark in steps.remarks(columns.negative_ages) {
+        for remark in columns.remark.iter().cloned().chain(steps.remarks(columns.negative_ages)) {
             if !contest.remarks.contains(&remark) {
                 contest.remarks.push(remark);
             }
@@ -191,6 +198,7 @@ impl Contest {
             cost: cost(&it.generated.program, deadbeat_math::COSTS),
             converged_row: None,
             converged_after: None,
+            residuals: Vec::new(),
         };
         let quantity = |(r, (_, column)): (usize, &(String, String))| Quantity {
             answer: entrants[0].interface.answers[entrants[0].places[r]].clone(),

@@ -4,6 +4,7 @@ use crate::generated::Generated;
 
 use super::super::interface::Interface;
 use super::super::mistake::SignalError;
+use super::super::recording::RecordingError;
 use super::super::signals::Signals;
 
 /// A specification that takes part in a contest.
@@ -27,6 +28,12 @@ impl Entrant {
         let interface = Interface::of(&generated);
         let places = places(&interface, signals, file)?;
         Ok(Self { name: generated.plant.name.clone(), file: file.to_owned(), generated, interface, places })
+    }
+
+    /// What is wrong between a recording and this one.
+    pub(super) fn unfit(&self, error: RecordingError) -> RecordingError {
+        let message = format!("{} does not fit the recording: {}", self.file, error.message);
+        RecordingError { message, ..error }
     }
 
     /// The fields of its step.

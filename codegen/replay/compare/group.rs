@@ -16,6 +16,7 @@ use std::path::{Path, PathBuf};
 
 use serde::Deserialize;
 
+use super::super::clock::TimeUnit;
 use super::super::signals::Signals;
 
 /// What is compared on one recording.
@@ -51,6 +52,7 @@ struct Entry {
     map: BTreeMap<String, String>,
     #[serde(default)]
     age: BTreeMap<String, String>,
+    time_unit: Option<String>,
     specs: Vec<PathBuf>,
 }
 
@@ -61,12 +63,20 @@ struct Entry {
 pub fn parse(text: &str, folder: &Path) -> Result<Vec<Group>, String> {
     let file: File = toml::from_str(text).map_err(|error| error.to_string())?;
     let pairs = |table: BTreeMap<String, String>| table.into_iter().collect();
-    let group = |entry: Entry| Group {
-        title: entry.title,
-        specs: entry.specs.iter().map(|spec| folder.join(spec)).collect(),
-        log: folder.join(entry.log),
-        reference_log: entry.reference_log.map(|log| folder.join(log)),
-        signals: Signals { map: pairs(entry.map), reference: pairs(entry.references), age: pairs(entry.age) },
+    let group = |entry: Entry| {
+        let unit = |word: &String| TimeUnit::named(word).ok_or_else(|| format!("`{word}` is no unit of time"));
+        Ok(Group {
+            title: entry.title,
+            specs: entry.specs.iter().map(|spec| folder.join(spec)).collect(),
+            log: folder.join(entry.log),
+            reference_log: entry.reference_log.map(|log| folder.join(log)),
+            signals: Signals {
+                map: pairs(entry.map),
+                reference: pairs(entry.references),
+                age: pairs(entry.age),
+                time_unit: entry.time_unit.as_ref().map(unit).transpose()?,
+            },
+        })
     };
-    Ok(file.recording.into_iter().map(group).collect())
+    file.recording.into_iter().map(group).collect()
 }

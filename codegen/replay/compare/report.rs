@@ -4,6 +4,8 @@ use std::fmt::Write as _;
 
 use crate::numbers::short;
 
+#[cfg(feature = "json")]
+use super::super::residual::Residual;
 use super::contest::{Contest, Quantity, Rival};
 use super::score::Score;
 
@@ -78,6 +80,10 @@ pub fn text(contest: &Contest) -> String {
         }
         text += &aligned(&rows);
     }
+    let residuals = contest.rivals.iter().flat_map(|rival| rival.residuals.iter().map(move |it| (rival, it)));
+    for (place, (rival, residual)) in residuals.enumerate() {
+        let _ = write!(text, "{}{}: {}\n", if place == 0 { "\n" } else { "" }, rival.name, residual.shown());
+    }
     text
 }
 
@@ -140,6 +146,8 @@ fn quantity_json(contest: &Contest, quantity: &Quantity) -> serde_json::Value {
             "converged_row": rival.converged_row.map(|row| row + 1),
             "ram_bytes": rival.cost.ram_bytes,
             "operations": rival.cost.flops_worst,
+            "beyond_bound": score.beyond,
+            "residuals": rival.residuals.iter().map(Residual::to_json).collect::<Vec<_>>(),
         })
     });
     let compared = &quantity.compared;

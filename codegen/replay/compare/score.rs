@@ -14,6 +14,8 @@ pub struct Score {
     pub max: Option<f64>,
     /// s: how much later than the reference the estimate is.
     pub lag: Option<f64>,
+    /// The share of the rows, coasting ones too, on which the error is beyond the bound that is promised.
+    pub beyond: Option<f64>,
 }
 
 /// An estimate and what it is compared with.
@@ -26,6 +28,8 @@ pub(super) struct Pair<'a> {
     pub reference: &'a Track,
     /// The rows to compare.
     pub rows: &'a [usize],
+    /// Of the error where one is promised, in the unit.
+    pub bound: Option<f64>,
 }
 
 /// Samples by which the estimate is shifted at first, either way.
@@ -34,6 +38,12 @@ const FIRST_REACH: i32 = 16;
 const FARTHEST: f64 = 0.25;
 /// Samples by which it may be shifted at most.
 const MOST_SAMPLES: i32 = 4096;
+
+/// A part of a whole.
+#[expect(clippy::cast_precision_loss, reason = "a recording has fewer than 2^53 rows")]
+fn share(part: usize, whole: usize) -> f64 {
+    part as f64 / whole as f64
+}
 
 impl Pair<'_> {
     /// All numbers; `step` is the sample time, s, by which the search for the lag goes.
@@ -46,6 +56,10 @@ impl Pair<'_> {
             p99: sizes.get((99 * sizes.len()).div_ceil(100) - 1).copied(),
             max: Some(max),
             lag: self.lag(step),
+            beyond: self.bound.map(|bound| {
+                let within = sizes.partition_point(|size| *size <= bound);
+                share(sizes.len() - within, sizes.len())
+            }),
         }
     }
 
@@ -117,7 +131,9 @@ mod tests {
         let values = times.iter().map(|t| reference(*t)).collect();
         let reference = Track { times: times.clone(), values };
         let rows: Vec<usize> = (0..1000).collect();
-        Pair { answer: &answer(), times: &times, estimate: &estimate, reference: &reference, rows: &rows }.score(0.01)
+        let (answer, bound) = (answer(), None);
+        Pair { answer: &answer, times: &times, estimate: &estimate, reference: &reference, rows: &rows, bound }
+            .score(0.01)
     }
 
     #[test]

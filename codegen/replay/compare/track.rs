@@ -2,9 +2,11 @@
 
 use std::io::Read;
 
-use super::super::columns::Selection;
+use super::super::clock::TimeUnit;
+use super::super::columns::time_of_references;
 use super::super::interface::fold;
 use super::super::recording::{Recording, RecordingError};
+use super::super::selection::{Selection, Source};
 
 /// A reference over time.
 #[derive(Clone, Debug, Default)]
@@ -16,14 +18,23 @@ pub struct Track {
 }
 
 impl Track {
-    /// Reads references from a recording of their own, a track for each column; its times, `t`, have to rise.
+    /// Reads references from a recording of their own, a track for each column; its times, found as
+    /// those of any recording and in this unit where it is given, have to rise.
     ///
     /// # Errors
     /// When the recording is wrong, lacks a column, or its time does not rise.
-    pub fn read<R: Read>(mut recording: Recording<R>, columns: &[&str]) -> Result<Vec<Self>, RecordingError> {
+    pub fn read<R: Read>(
+        mut recording: Recording<R>,
+        columns: &[&str],
+        unit: Option<TimeUnit>,
+    ) -> Result<Vec<Self>, RecordingError> {
         let mut selection = Selection::default();
-        let time = selection.place("t".into());
-        let columns: Vec<usize> = columns.iter().map(|column| selection.place((*column).to_owned())).collect();
+        let header = recording.header().clone();
+        let clock = time_of_references(&header, unit);
+        let name = clock.column.clone();
+        let time = selection.place(clock);
+        let columns = columns.iter().map(|column| selection.place(Source::named(column, &header.columns)));
+        let columns: Vec<usize> = columns.collect();
         let mut cells = vec![0.0; selection.apply(&mut recording)?];
         let mut tracks = vec![Self::default(); columns.len()];
         let mut before = f64::NEG_INFINITY;
@@ -31,7 +42,7 @@ impl Track {
             let now = cells[time];
             if now.is_nan() || now <= before {
                 let message = format!("the time does not rise: {now} s behind {before} s");
-                return Err(RecordingError { help: None, ..recording.complaint("t", message, "") });
+                return Err(RecordingError { help: None, ..recording.complaint(&name, message, "") });
             }
             before = now;
             for (track, place) in tracks.iter_mut().zip(&columns) {

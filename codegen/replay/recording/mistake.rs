@@ -4,7 +4,7 @@ use std::fmt;
 
 use crate::expr::edit_distance;
 
-use super::super::steps::TimeError;
+use super::super::grid::TimeError;
 use super::Recording;
 use super::rows::{Broken, LONGEST_ROW};
 
@@ -49,6 +49,11 @@ impl<R> Recording<R> {
         self.error(Some(self.rows.line()), None, error.message.clone(), error.help.clone())
     }
 
+    /// The times of all rows do not fit a step.
+    pub(in crate::replay) fn unfit_whole(&self, error: &TimeError) -> RecordingError {
+        self.error(None, None, error.message.clone(), error.help.clone())
+    }
+
     /// What is wrong with a selected cell of the row that was read last.
     pub(in crate::replay) fn complaint(&self, column: &str, message: String, help: &str) -> RecordingError {
         RecordingError {
@@ -89,17 +94,30 @@ impl<R> Recording<R> {
         message: String,
         help: Option<String>,
     ) -> RecordingError {
-        let column = column.map(|index| self.columns[index].clone());
+        let column = column.map(|index| self.header.columns[index].clone());
         RecordingError { name: self.name.clone(), line, column, message, help }
     }
 
+    pub(super) fn no_names(&self) -> RecordingError {
+        let message = "there is no header row: the first row has numbers only".into();
+        let help = "name the columns in a row, for example `t,theta,omega`, also behind a `#`";
+        self.error(Some(self.rows.line()), None, message, Some(help.into()))
+    }
+
+    pub(super) fn named_twice(&self, first: usize, second: usize) -> RecordingError {
+        let name = &self.header.columns[first];
+        let message = format!("columns {} and {} are both named `{name}`", first + 1, second + 1);
+        self.error(None, None, message, Some("give the column that is read a name of its own".into()))
+    }
+
     pub(super) fn missing_column(&self, name: &str) -> RecordingError {
-        let list = self.columns.iter().map(|column| format!("`{column}`")).collect::<Vec<_>>().join(", ");
-        let help = match self.columns.as_slice() {
-            [only] if only.contains(';') || only.contains('\t') => {
-                Some("cells are separated by commas; this header looks as if they were not".to_owned())
-            }
-            _ => nearest(name, &self.columns).map(|column| format!("did you mean `{column}`?")),
+        let named: Vec<String> = self.header.columns.iter().filter(|column| !column.is_empty()).cloned().collect();
+        let list = named.iter().map(|column| format!("`{column}`")).collect::<Vec<_>>().join(", ");
+        let help = match named.as_slice() {
+            [only] if only.contains(char::is_whitespace) => Some(
+                "cells are separated by commas, semicolons or tabs; this header looks as if they were not".to_owned(),
+            ),
+            _ => nearest(name, &named).map(|column| format!("did you mean `{column}`?")),
         };
         self.error(None, None, format!("there is no column `{name}`; the columns are {list}"), help)
     }
@@ -110,11 +128,11 @@ impl<R> Recording<R> {
     }
 
     pub(super) fn ragged_row(&self) -> RecordingError {
-        let (found, expected) = (self.rows.cells(), self.columns.len());
+        let (found, expected) = (self.rows.cells(), self.header.columns.len());
         let count = format!("the row has {found} cell{}, the header has {expected}", if found == 1 { "" } else { "s" });
         if found < expected {
             let help =
-                format!("cell {} is the first that is missing; a missing sample still needs its comma", found + 1);
+                format!("cell {} is the first that is missing; a missing sample still needs its separator", found + 1);
             return self.error(Some(self.rows.line()), Some(found), count, Some(help));
         }
         let extra = shortened(self.rows.cell(expected));
@@ -144,12 +162,15 @@ pub(super) fn shortened(cell: &[u8]) -> String {
     shown
 }
 
-/// The name that differs least from the one that was asked for, unless all differ in most letters.
+/// The name that differs least from the one that was asked for, a unit behind it aside, unless all differ in most letters.
 fn nearest<'a>(name: &str, among: &'a [String]) -> Option<&'a str> {
     let (wanted, most) = (name.to_lowercase(), name.chars().count().div_ceil(2));
+    let bare = |other: &str| other.split(['[', '(']).next().unwrap_or(other).trim().to_lowercase();
     among
         .iter()
-        .map(|other| (edit_distance(&wanted, &other.to_lowercase()), other.as_str()))
+        .map(|other| {
+            (edit_distance(&wanted, &other.to_lowercase()).min(edit_distance(&wanted, &bare(other))), other.as_str())
+        })
         .filter(|(distance, _)| *distance <= most)
         .min_by_key(|(distance, _)| *distance)
         .map(|(_, other)| other)

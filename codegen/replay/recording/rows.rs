@@ -1,6 +1,6 @@
 //! Cells of rows: knows bytes, lines, commas and quotes; never what a cell means.
 
-use std::io::{self, BufRead as _, BufReader, Chain, Cursor, Read};
+use std::io::{self, BufRead as _, BufReader, Cursor, Read};
 
 use csv_core::{ReadFieldResult, Reader, ReaderBuilder, Terminator};
 
@@ -15,11 +15,27 @@ const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 
 /// Rows that are being read, one at a time.
 pub struct Rows<R> {
-    source: BufReader<Chain<Cursor<Vec<u8>>, R>>,
-    /// A failure of the source while its first bytes were looked at.
-    failed: Option<io::Error>,
+    source: BufReader<Looked<R>>,
     reader: Reader,
+    separator: u8,
     row: Row,
+}
+
+/// A source whose first bytes have been looked at.
+struct Looked<R> {
+    first: Cursor<Vec<u8>>,
+    /// A failure behind them.
+    failed: Option<io::Error>,
+    rest: R,
+}
+
+impl<R: Read> Read for Looked<R> {
+    fn read(&mut self, into: &mut [u8]) -> io::Result<usize> {
+        match self.first.read(into)? {
+            0 => self.failed.take().map_or_else(|| self.rest.read(into), Err),
+            read => Ok(read),
+        }
+    }
 }
 
 /// The row that was read last.
@@ -52,6 +68,11 @@ impl<R> Rows<R> {
         self.row.line
     }
 
+    /// What separates cells.
+    pub fn separator(&self) -> u8 {
+        self.separator
+    }
+
     /// How many there are in the row that was read last.
     pub fn cells(&self) -> usize {
         self.row.ends.len()
@@ -65,18 +86,20 @@ impl<R> Rows<R> {
 }
 
 impl<R: Read> Rows<R> {
-    /// From the first line on.
-    pub fn new(mut source: R) -> Self {
+    /// From the first line on; `separator` tells what separates cells from the first bytes.
+    pub fn new(mut source: R, separator: impl Fn(&[u8]) -> u8) -> Self {
         let mut first = Vec::new();
-        let read = source.by_ref().take(BYTE_ORDER_MARK.len() as u64).read_to_end(&mut first);
-        if first == BYTE_ORDER_MARK {
-            first.clear();
+        let failed = source.by_ref().take(BUFFER as u64).read_to_end(&mut first).err();
+        if first.starts_with(BYTE_ORDER_MARK) {
+            first.drain(..BYTE_ORDER_MARK.len());
         }
+        let separator = separator(&first);
         let text = vec![0; LONGEST_ROW + 1];
+        let looked = Looked { first: Cursor::new(first), failed, rest: source };
         Self {
-            source: BufReader::with_capacity(BUFFER, Cursor::new(first).chain(source)),
-            failed: read.err(),
-            reader: ReaderBuilder::new().terminator(Terminator::Any(b'\n')).build(),
+            source: BufReader::with_capacity(BUFFER, looked),
+            reader: ReaderBuilder::new().terminator(Terminator::Any(b'\n')).delimiter(separator).build(),
+            separator,
             row: Row { text, ends: Vec::new(), written: 0, taken: 0, line: 1 },
         }
     }
@@ -92,6 +115,18 @@ impl<R: Read> Rows<R> {
     pub fn skip_line(&mut self) -> Result<(), Broken> {
         self.reader.set_line(self.reader.line() + 1);
         self.source.skip_until(b'\n').map(drop).map_err(|cause| Broken::Source(self.row.line, cause))
+    }
+
+    /// The rest of the line, without its end.
+    pub fn take_line(&mut self) -> Result<Vec<u8>, Broken> {
+        self.reader.set_line(self.reader.line() + 1);
+        let mut line = Vec::new();
+        let most = LONGEST_ROW as u64 + 1;
+        let read = self.source.by_ref().take(most).read_until(b'\n', &mut line);
+        match read.map_err(|cause| Broken::Source(self.row.line, cause))? {
+            read if read as u64 == most => Err(Broken::Long),
+            _ => Ok(line),
+        }
     }
 
     /// Reads the row that has begun.
@@ -140,7 +175,10 @@ impl<R: Read> Rows<R> {
     fn first(&mut self) -> Result<Option<u8>, Broken> {
         while self.fill()? {
             let bytes = self.source.buffer();
-            let space = bytes.iter().take_while(|byte| **byte != b'\n' && byte.is_ascii_whitespace()).count();
+            let space = bytes
+                .iter()
+                .take_while(|byte| **byte != b'\n' && **byte != self.separator && byte.is_ascii_whitespace())
+                .count();
             let first = bytes.get(space).copied();
             self.source.consume(space);
             if first.is_some() {
@@ -153,8 +191,7 @@ impl<R: Read> Rows<R> {
     /// Has bytes in the buffer, or returns false at the end.
     fn fill(&mut self) -> Result<bool, Broken> {
         loop {
-            let filled = self.failed.take().map_or_else(|| self.source.fill_buf(), Err);
-            match filled {
+            match self.source.fill_buf() {
                 Ok(bytes) => return Ok(!bytes.is_empty()),
                 Err(cause) if cause.kind() == io::ErrorKind::Interrupted => {}
                 Err(cause) => return Err(Broken::Source(self.reader.line(), cause)),

@@ -56,11 +56,54 @@ fn a_header_is_required() {
 }
 
 #[test]
-fn names_in_the_header_are_unique_and_not_empty() {
-    assert_eq!(complaint("t,a, t\n", &[]), "r.csv:1: columns 1 and 3 are both named `t`");
-    assert_eq!(complaint("#\nt,,a\n", &[]), "r.csv:2: column 2 of 3 has no name");
+fn columns_that_are_not_selected_may_have_any_name() {
+    let text = ",t,alt,alt,\n0,1,2,3,\n";
+    assert_eq!(rows(text, &["t"]).unwrap(), [[1.0]]);
+    assert_eq!(complaint(text, &["alt"]), "r.csv: columns 3 and 4 are both named `alt`");
     let error = open(b"t,\xe9\n").err().unwrap();
     assert_eq!(error.to_string(), "r.csv:1: the name of column 2 is not UTF-8: `\u{fffd}`");
+}
+
+#[test]
+fn cells_are_separated_by_what_the_header_has() {
+    for text in [
+        "t;a\n0,5;1,25\n1;\n",
+        "t\ta\n0,5\t1,25\n1\t\n",
+        "sep=;\nt;a\r\n0.5;1.25\r\n1;\r\n",
+        "# t\ta\n0,5\t1,25\n1\t\n",
+    ] {
+        let rows = rows(text, &["t", "a"]).unwrap();
+        assert_eq!(
+            (rows[0].as_slice(), rows[1][0], rows[1][1].is_nan()),
+            ([0.5, 1.25].as_slice(), 1.0, true),
+            "{text}"
+        );
+    }
+    assert_eq!(rows("\"a;b\",t\n1,2\n", &["a;b", "t"]).unwrap(), [[1.0, 2.0]], "a quoted sign separates nothing");
+    assert_eq!(complaint("t;a\n1;1.234,5\n", &["a"]), "r.csv:2: column `a`: `1.234,5` is not a number");
+    assert_eq!(complaint("t,a\n1,\"1,5\"\n", &["a"]), "r.csv:2: column `a`: `1,5` is not a number");
+}
+
+#[test]
+fn words_stand_for_missing_samples() {
+    let text = "a,b,c,d,e,f,g\nNULL,N/A,-,null,#N/A,None,--\n1,1,1,1,1,1,1\n";
+    let rows = rows(text, &["a", "b", "c", "d", "e", "f", "g"]).unwrap();
+    assert!(rows.len() == 2 && rows[0].iter().all(|value| value.is_nan()), "{rows:?}");
+}
+
+#[test]
+fn a_row_of_units_is_no_row() {
+    let recording = open("t,q,n\n[ms],rad/s^2,-\n1,2,3\n".as_bytes()).unwrap();
+    assert_eq!(recording.header().units, ["[ms]", "rad/s^2", "-"]);
+    assert_eq!(rows("t,q\ns,1/s\n1,2\n", &["t", "q"]).unwrap(), [[1.0, 2.0]]);
+    assert_eq!(complaint("t,q\n1,two\n", &["q"]), "r.csv:2: column `q`: `two` is not a number");
+    assert_eq!(complaint("t,q\ns,rad\nms,deg\n", &["q"]), "r.csv:3: column `q`: `deg` is not a number", "once");
+}
+
+#[test]
+fn a_comment_may_be_the_header() {
+    assert_eq!(rows("# of rig 3\n# t,q\n0,5\n1,6\n", &["t", "q"]).unwrap(), [[0.0, 5.0], [1.0, 6.0]]);
+    assert_eq!(complaint("# t\n0,5\n", &["t"]), "r.csv:2: there is no header row: the first row has numbers only");
 }
 
 #[test]
@@ -70,7 +113,8 @@ fn a_missing_column_lists_the_others_and_suggests_the_nearest() {
     assert_eq!(error.help.as_deref(), Some("did you mean `theta`?"));
     assert_eq!(rows("t,theta\n", &["Theta"]).unwrap_err().help.as_deref(), Some("did you mean `theta`?"));
     assert_eq!(rows("t,theta\n", &["voltage"]).unwrap_err().help, None);
-    assert!(rows("t;theta\n1;2\n", &["t"]).unwrap_err().help.unwrap().contains("commas"));
+    assert_eq!(rows("t,u [V]\n", &["u"]).unwrap_err().help.as_deref(), Some("did you mean `u [V]`?"));
+    assert!(rows("t theta\n1 2\n", &["t"]).unwrap_err().help.unwrap().contains("commas"));
 }
 
 #[test]

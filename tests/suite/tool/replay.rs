@@ -1,6 +1,10 @@
 //! Claim: a replay hands over what a step's fields are: counts as integers, ages from a sensor's own clock, samples of
 //! several rates; what turns with a wrapped output is compared modulo the turn, and integers are written as integers.
 
+mod foreign;
+mod residual;
+mod rows;
+
 use crate::support::corpus;
 
 use std::fmt::Write as _;

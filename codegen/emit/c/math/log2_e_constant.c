@@ -1,3 +1,2 @@
-/* 1 / log(2) with 127 fraction bits. */
+/* The first 64 bits of 1 / log(2), 63 of them behind the point. */
 #define DEADBEAT_LOG2_E UINT64_C(0xB8AA3B295C17F0BB)
-#define DEADBEAT_LOG2_E_LOW UINT64_C(0xBE87FED0691D3E88)

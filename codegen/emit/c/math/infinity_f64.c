@@ -1,0 +1,2 @@
+/* The bits of infinity. */
+#define DEADBEAT_INFINITY_F64 UINT64_C(0x7FF0000000000000)

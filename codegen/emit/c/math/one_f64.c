@@ -1,0 +1,2 @@
+/* The bits of 1. */
+#define DEADBEAT_ONE_F64 UINT64_C(0x3FF0000000000000)
