@@ -27,6 +27,7 @@ pub mod certificate;
 pub mod chain;
 pub mod design;
 pub mod deviation;
+mod doubling;
 pub mod errors;
 pub mod exact;
 pub mod guard;
