@@ -31,6 +31,11 @@ pub fn short(value: f64) -> String {
     }
 }
 
+/// A factor by which something shrinks: near one, by how much it is less.
+pub fn factor(value: f64) -> String {
+    if value > 0.999 && value < 1.0 { format!("1 - {}", short(1.0 - value)) } else { short(value) }
+}
+
 /// A share of an error; below the digits that it was computed with, that.
 pub fn remainder(left: f64) -> String {
     if left < 1e-12 { "less than 1e-12".into() } else { short(left) }

@@ -2,11 +2,12 @@
 
 use std::path::PathBuf;
 
-use deadbeat_codegen::{Difference, Generated, Language, Output, Report, specifications};
+use deadbeat_codegen::{Difference, Generated, Generator, Language, Output, Report, specifications};
 use serde_json::{Value, json};
 use similar::TextDiff;
 
 use super::files::is_standard;
+use super::progress::alive;
 use super::{Common, End, Failure, Target, one_standard_input, print, read_spec, show};
 
 /// Designs every specification; all or none.
@@ -17,7 +18,7 @@ fn designed(specs: &[PathBuf], common: &Common) -> Result<Option<Vec<(Generated,
     let mut wrong = false;
     for path in &specs {
         let generator = read_spec(path, common.settings())?;
-        match generator.design() {
+        match alive(&generator, Generator::design) {
             Ok(generated) => {
                 show(&generated.report);
                 let output = Output::new(&generated, generator.source());
@@ -52,7 +53,7 @@ pub fn check(specs: &[PathBuf], common: &Common) -> Result<End, Failure> {
     let Some(specs) = found(specs) else { return Ok(End::Wrong) };
     let mut reports = Vec::new();
     for path in &specs {
-        reports.push(read_spec(path, common.settings())?.check());
+        reports.push(alive(&read_spec(path, common.settings())?, Generator::check));
     }
     if common.json() {
         let all: Vec<Value> =
@@ -68,7 +69,7 @@ pub fn check(specs: &[PathBuf], common: &Common) -> Result<End, Failure> {
 
 /// `deadbeat design`
 pub fn design(spec: &PathBuf, common: &Common) -> Result<End, Failure> {
-    let generated = match read_spec(spec, common.settings())?.design() {
+    let generated = match alive(&read_spec(spec, common.settings())?, Generator::design) {
         Ok(generated) => generated,
         Err(report) => {
             show(&report);
@@ -82,7 +83,7 @@ pub fn design(spec: &PathBuf, common: &Common) -> Result<End, Failure> {
 
 /// `deadbeat design --at`
 pub fn at(spec: &PathBuf, step: usize, common: &Common) -> Result<End, Failure> {
-    match read_spec(spec, common.settings())?.at(step) {
+    match alive(&read_spec(spec, common.settings())?, |generator| generator.at(step)) {
         Ok(Ok(moment)) => {
             print(&if common.json() { format!("{:#}\n", moment.to_json()) } else { moment.to_text() })?;
             Ok(End::Fine)

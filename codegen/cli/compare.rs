@@ -5,10 +5,10 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use deadbeat_codegen::replay::compare::{Contest, Entrant, Group, Track, group, report};
-use deadbeat_codegen::{Settings, figure};
+use deadbeat_codegen::{Generator, Settings, figure};
 
 use super::files::{is_standard, nothing_overwritten, open, write_text};
-use super::progress::Progress;
+use super::progress::{Progress, alive};
 use super::signals::Signals;
 use super::{End, Failure, ScalarWord, one_standard_input, print, read_spec, settings, show};
 
@@ -147,7 +147,7 @@ fn entrants(group: &Group, settings: Settings) -> Result<Option<Vec<Entrant>>, F
     let mut all = Vec::new();
     let mut wrong = false;
     for path in &group.specs {
-        match read_spec(path, settings)?.design() {
+        match alive(&read_spec(path, settings)?, Generator::design) {
             Ok(generated) => {
                 show(&generated.report);
                 all.push(Entrant::new(&path.display().to_string(), generated, &group.signals)?);

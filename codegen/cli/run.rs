@@ -4,13 +4,13 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use deadbeat_codegen::Generated;
 use deadbeat_codegen::figure::Curves;
 use deadbeat_codegen::replay::{Compared, Interface, Replay, Verdict};
+use deadbeat_codegen::{Generated, Generator};
 
 use super::estimate::Estimate;
 use super::files::{is_standard, nothing_overwritten, open, write_text};
-use super::progress::Progress;
+use super::progress::{Progress, alive};
 use super::signals::Signals;
 use super::{Common, End, Failure, one_standard_input, print, read_spec, show};
 
@@ -43,7 +43,7 @@ pub fn run(options: &Options) -> Result<End, Failure> {
         return Err(Failure::Misused("standard output can stand for one file only".into()));
     }
     nothing_overwritten(&[("the specification", &options.spec), ("--log", &options.log)], &written)?;
-    let generated = match read_spec(&options.spec, options.common.settings())?.design() {
+    let generated = match alive(&read_spec(&options.spec, options.common.settings())?, Generator::design) {
         Ok(generated) => generated,
         Err(report) => {
             show(&report);

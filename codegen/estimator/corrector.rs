@@ -21,14 +21,16 @@
 //! its gain by call in [`schedule`], and one function in `lower/gain.rs`.
 //!
 //! [`exact`] has the numbers at one precision, [`settle`] rounds them once, [`schedule`] has the gain of every call in
-//! doubles for [`errors`] and [`certificate`], [`guard`] bounds what may enter, [`lower`] writes the step.
+//! doubles for [`errors`] and [`certificate`], `rounds` and `past` follow gains that go round however slowly, [`guard`] bounds what may enter, [`lower`] writes the step.
 
 pub mod certificate;
 pub mod chain;
 pub mod design;
 pub mod deviation;
+mod doubling;
 pub mod errors;
 pub mod exact;
+mod far;
 pub mod guard;
 pub mod holloway_krstic;
 pub mod implicit_euler;
@@ -36,9 +38,11 @@ pub mod interval;
 pub mod law;
 pub mod lower;
 pub mod noise;
+mod past;
 pub mod periodic;
 pub mod placement;
 pub mod riccati;
+mod rounds;
 pub mod schedule;
 pub mod settle;
 pub mod sliding;

@@ -45,6 +45,7 @@ use crate::real::Precision;
 use crate::sampled::coordinates::Coordinates;
 use crate::sampled::model::{Between, Model, signals_between};
 use crate::sampled::samples::refuse_much_work;
+use crate::sampled::settle::LAST_BITS;
 use crate::spec::Quantity;
 use crate::spec::reader::Table;
 use gaps::{is_linear, with_gaps};
@@ -107,6 +108,9 @@ pub const METHOD: Method = Method {
     page: include_str!("single-delay.md"),
     read,
 };
+
+/// Bits of the matrices that are reported, at least.
+const REPORTED: usize = 4 * 256;
 
 /// The method's keys.
 #[derive(Clone, Debug)]
@@ -185,6 +189,7 @@ impl Keyed for Keys {
         let (mut functional, exact, mut numerics) =
             settle_runs(plant, &plan.signals, &vec![0; plant.outputs.len()], steps, bias, &run)?;
         numerics.condition = condition;
+        let settled = exact.model.phi.precision();
         let mut warnings: Vec<Diagnostic> = time_warning(plant).into_iter().chain(resolution_warnings(plant)).collect();
         let mut notes = Vec::new();
         if self.form.0 {
@@ -212,7 +217,7 @@ impl Keyed for Keys {
             convergence,
             realizations,
             notes,
-            constants: plan.constants(self, plant)?,
+            constants: plan.constants(self, plant, settled.max(Precision::bits(REPORTED)))?,
             fir: Some(fir(plant, &functional)),
             certificate,
             numerics,
@@ -251,10 +256,14 @@ impl Keys {
                 Err(vec![error.help(help)])
             };
         }
-        let model = Model::new(plant, &[], Precision::bits(tune::BITS))?;
-        let best = Coordinates::new(&model.c, rest.to_vec())
-            .ok()
-            .and_then(|coordinates| best_k(&model, &coordinates, steps, plant.sample_time_s()));
+        // As many digits as some k needs.
+        let (mut best, mut bits) = (None, tune::BITS);
+        while best.is_none() && bits <= LAST_BITS {
+            let model = Model::new(plant, &[], Precision::bits(bits))?;
+            let coordinates = Coordinates::new(&model.c, rest.to_vec()).ok();
+            best = coordinates.and_then(|coordinates| best_k(&model, &coordinates, steps, plant.sample_time_s()));
+            bits *= 2;
+        }
         let decimal = best.and_then(|k| crate::decimal::parse(&format!("{k:e}")).ok());
         decimal.map(Constant::from).ok_or_else(|| vec![refuse_gramian(plant, "no k gives weights for this window")])
     }

@@ -1,6 +1,6 @@
 //! What every generated file says of itself: provenance, plant, method, certificate, cost, contract.
 
-use crate::numbers::{remainder, seconds, short, trimmed};
+use crate::numbers::{factor, remainder, seconds, short, trimmed};
 use std::fmt::Write as _;
 
 use crate::diagnostic::Source;
@@ -179,15 +179,10 @@ fn converged(generated: &Generated) -> String {
             let proviso = generated.design.estimator.proviso();
             format!("Converged  from call {} ({time} s after the first), {proviso}", step + 1)
         }
-        Convergence::Geometric { radius, period: 1 } => format!(
+        Convergence::Geometric { radius, period } => format!(
             "Converged  from call {} ({time} s after the first) to 1e-6 of the initial error; by {} a call",
             step + 1,
-            short(radius)
-        ),
-        Convergence::Geometric { radius, period } => format!(
-            "Converged  from call {} ({time} s after the first) to 1e-6 of the initial error; by {} every {period} calls",
-            step + 1,
-            short(radius)
+            factor(a_call(radius, period))
         ),
         Convergence::Sensed { calls, innovation } => format!(
             "Converged  when the status says so: after {calls} calls in a row, the first of them call 2 at the soonest, in \
@@ -200,6 +195,14 @@ fn converged(generated: &Generated) -> String {
             remainder(left)
         ),
     }
+}
+
+/// What a call leaves, where so many leave `radius`.
+fn a_call(radius: f64, period: usize) -> f64 {
+    if period == 1 || radius <= 0.0 {
+        return radius;
+    }
+    deadbeat_math::exp_f64(deadbeat_math::log_f64(radius) / crate::numbers::count(period))
 }
 
 /// How long a missing sample tells, where that is no window's length.

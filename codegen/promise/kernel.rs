@@ -51,6 +51,21 @@ impl Kernel {
         Some(Self { parts, edges, slope, length: length.to_f64() })
     }
 
+    /// Per part of an interval: the integral of the kernel over it, n x d.
+    pub(crate) fn parts(&self) -> &[DMatrix<f64>] {
+        &self.parts
+    }
+
+    /// A bound on the kernel's slope, entry by entry; n x d.
+    pub(crate) fn slope(&self) -> &DMatrix<f64> {
+        &self.slope
+    }
+
+    /// Length of a part, s; 0 for a discrete plant.
+    pub(crate) fn length(&self) -> f64 {
+        self.length
+    }
+
     /// Adds one interval's share for the accumulated matrix of its age.
     pub(crate) fn add(&self, acc: &DMatrix<f64>, gains: &mut DMatrix<f64>) {
         for i in 0..acc.nrows() {

@@ -1,7 +1,7 @@
 //! Rounds a design's constants once, when they have settled.
 //!
 //! Every design runs at d and at 2d digits, d rising until each constant rounds to the same double
-//! and the same single. A constant that is zero in exact arithmetic never does: it shrinks with the
+//! and the same single; a run that ends early for want of digits ([`codes::PRECISION`]) is none. A constant that is zero in exact arithmetic never does: it shrinks with the
 //! precision instead, and is recognised by that; so is one below 2^-384 (1e-115) of its column.
 
 use crate::diagnostic::{Diagnostic, codes};
@@ -37,8 +37,7 @@ fn rising_from<T, F>(
     round: impl Fn(&mut Pass, &T, &T) -> F,
     unbiasedness: impl Fn(&T) -> f64,
 ) -> Result<(F, T, Numerics), Vec<Diagnostic>> {
-    let mut precision = Precision::bits(bits.max(FIRST_BITS));
-    let mut coarse = run(precision)?;
+    let (mut precision, mut coarse) = first(&run, Precision::bits(bits.max(FIRST_BITS)))?;
     let mut agreement;
     loop {
         let fine = run(precision.doubled())?;
@@ -56,6 +55,20 @@ fn rising_from<T, F>(
             return Err(vec![refusal(plant, agreement, unbiasedness)]);
         }
         coarse = fine;
+    }
+}
+
+/// The first run, at so many bits or as many more as it takes until it comes to an end.
+fn first<T>(
+    run: impl Fn(Precision) -> Result<T, Vec<Diagnostic>>,
+    mut precision: Precision,
+) -> Result<(Precision, T), Vec<Diagnostic>> {
+    let short_of_digits = |found: &[Diagnostic]| found.iter().all(|mistake| mistake.code == codes::PRECISION);
+    loop {
+        match run(precision) {
+            Err(found) if precision.as_bits() < LAST_BITS && short_of_digits(&found) => precision = precision.doubled(),
+            other => return other.map(|found| (precision, found)),
+        }
     }
 }
 

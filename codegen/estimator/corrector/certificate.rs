@@ -10,6 +10,7 @@
 use nalgebra::DMatrix;
 
 use super::errors::{Errors, Remaining, Sums};
+use super::past::Past;
 use crate::numbers::count;
 use crate::plant::Plant;
 use crate::promise::Certificate;
@@ -31,11 +32,7 @@ impl Errors<'_> {
     pub fn certify(&self, valid: usize, remaining: &Remaining) -> Certificate {
         let kernel = Kernel::new(self.plant);
         let kernel = kernel.as_ref();
-        let worst = match self.cycle.len() {
-            _ if self.is_constant() => self.constant(valid, kernel),
-            _ if self.is_held() => self.held(valid, kernel),
-            _ => self.cycling(valid, kernel),
-        };
+        let worst = if self.goes_round() { self.turning(valid, kernel) } else { self.held(valid, kernel) };
         let worst = worst.scaled(SLACK);
         let infinite = || vec![vec![f64::INFINITY; self.plant.disturbances.len()]; self.order()];
         let disturbance_gain_l1 = if kernel.is_some() { rows(&worst.disturbances) } else { infinite() };
@@ -55,47 +52,10 @@ impl Errors<'_> {
         n * n * (3.0 * n + count(self.plant.outputs.len() + self.plant.disturbances.len()))
     }
 
-    /// The worst call from V on, where the gain is the same at every sample: exactly, at each place of the cycle.
-    fn constant(&self, valid: usize, kernel: Option<&Kernel>) -> Sums {
-        let mut worst = Sums::new(self.plant, self.signals.len());
-        let mut spent = 0.0;
-        for place in 0..self.cycle.len() {
-            let Some(sums) = self.ending(place, valid, kernel, &mut spent) else {
-                return Sums::infinite(self.plant, self.signals.len());
-            };
-            worst.raise(&sums);
-        }
-        if valid == 0 {
-            worst.raise(&self.at(0, 0, kernel).0);
-        }
-        worst
-    }
-
-    /// The worst call from V on of those at a place of the cycle: from it back, each call adds to the sums of those after it.
-    fn ending(&self, place: usize, valid: usize, kernel: Option<&Kernel>, spent: &mut f64) -> Option<Sums> {
-        let length = self.cycle.len();
-        let (mut recent, mut rows) = (Sums::new(self.plant, self.signals.len()), self.back.clone());
-        let mut begun = DMatrix::zeros(self.order(), self.signals.len());
-        let mut transition = self.identity();
-        let mut worst = recent.clone();
-        let mut past = 0;
-        while past < valid || transition.norm() > COMPLETE || past % length != place {
-            // The call that lies so far back, by its place in the first cycle.
-            let call = 1 + (place + length - 1 - past % length) % length;
-            past += 1;
-            rows = self.enter(&mut recent, &rows, &mut begun, call, kernel);
-            transition *= self.transition(call);
-            if past >= valid && past % length == place {
-                let mut all = recent.clone();
-                self.finish(&mut all, &rows, &begun, true);
-                worst.raise(&all);
-            }
-            *spent += self.work();
-            if *spent > 2.0 * MOST_WORK {
-                return None;
-            }
-        }
-        Some(worst)
+    /// The worst call from V on, where the gains go round from the first call on.
+    fn turning(&self, valid: usize, kernel: Option<&Kernel>) -> Sums {
+        let infinite = || Sums::infinite(self.plant, self.signals.len());
+        Past::new(self, kernel, valid).map_or_else(infinite, |past| past.worst_from(valid))
     }
 
     /// The worst call from V on, where every sample of an output has the same gain from there on.
@@ -155,52 +115,6 @@ impl Errors<'_> {
         Some(worst)
     }
 
-    /// The worst call from V on, where the gains go round: the first round exactly, all others from two rounds back.
-    fn cycling(&self, valid: usize, kernel: Option<&Kernel>) -> Sums {
-        let length = self.cycle.len();
-        if count(length) * count(2 * valid + 3 * length) * self.work() > 4.0 * MOST_WORK {
-            return Sums::infinite(self.plant, self.signals.len());
-        }
-        let Some(end) = self.round_end(valid, kernel) else {
-            return Sums::infinite(self.plant, self.signals.len());
-        };
-        let mut worst = end.clone();
-        for k in 0..length {
-            worst.raise(&self.at(valid + k, valid + k, kernel).0);
-            // What lies further back than the round before stands in the bound of a round's end.
-            let (mut sums, rows) = self.at(valid + 2 * length + k, length + k, kernel);
-            sums.add(&end.carried(&(rows * &self.to)));
-            worst.raise(&sums);
-        }
-        worst
-    }
-
-    /// A bound on the sums at the end of any round from V on: a fixed point of one round's.
-    fn round_end(&self, valid: usize, kernel: Option<&Kernel>) -> Option<Sums> {
-        [1, 2, 4, 8].into_iter().find_map(|rounds| self.rounds_end(valid, rounds, kernel))
-    }
-
-    /// The same from the sums of so many rounds together: a round that turns one state into another may only shrink
-    /// the error over several.
-    fn rounds_end(&self, valid: usize, rounds: usize, kernel: Option<&Kernel>) -> Option<Sums> {
-        let length = self.cycle.len();
-        let (round, rows) = self.at(valid + (rounds + 1) * length, rounds * length, kernel);
-        let around = rows * &self.to;
-        let mut end = self.at(valid, valid, kernel).0;
-        for k in 1..rounds {
-            end.raise(&self.at(valid + k * length, valid + k * length, kernel).0);
-        }
-        for _ in 0..10_000 {
-            let mut next = end.carried(&around);
-            next.add(&round);
-            if !next.exceeds(&end) {
-                return Some(end);
-            }
-            end.raise(&next);
-        }
-        None
-    }
-
     fn bound(&self, worst: &Sums, disturbances: &[Vec<f64>], state: usize) -> Option<f64> {
         let mut bound = 0.0;
         for (o, output) in self.plant.outputs.iter().enumerate() {
@@ -258,10 +172,10 @@ impl Sums {
         }
     }
 
-    /// Whether an entry is larger, beyond rounding.
-    fn exceeds(&self, other: &Self) -> bool {
+    /// Whether an entry is larger.
+    pub(super) fn exceeds(&self, other: &Self) -> bool {
         let pairs = self.parts().into_iter().zip(other.parts());
-        pairs.flat_map(|(a, b)| a.iter().zip(b)).any(|(a, b)| *a > *b * (1.0 + 1e-10))
+        pairs.flat_map(|(a, b)| a.iter().zip(b)).any(|(a, b)| a > b)
     }
 
     fn scaled(self, factor: f64) -> Self {

@@ -1,6 +1,6 @@
 //! From a law to a settled corrector with its certificate: what every method of this shape does.
 
-use super::errors::{Errors, Remaining};
+use super::errors::{Errors, Remaining, until};
 use super::exact::{Exact, Law};
 use super::schedule::Schedule;
 use super::settle::settle;
@@ -61,10 +61,8 @@ pub struct Built {
     pub remaining: Remaining,
 }
 
-/// The longest a convergence may take, in calls.
-const MOST_CALLS: usize = 1_000_000;
-/// Multiplications spent on finding out.
-const MOST_WORK: usize = 400_000_000;
+/// The longest a convergence may take, in calls: what a step counts.
+const MOST_CALLS: usize = 1 << 31;
 
 /// Designs, rounds and certifies.
 ///
@@ -80,11 +78,11 @@ pub fn build(request: &Request) -> Result<Built, Vec<Diagnostic>> {
     let (mut corrector, exact, numerics) = settle(plant, &request.signals, counting, &run)?;
     let valid = match request.promise {
         Promise::At(call) => call,
-        Promise::Contracted => contracted(plant, &request.signals, &exact, counting)?,
+        Promise::Contracted => contracted(plant, &exact, counting)?,
     };
     corrector.valid = valid / interval::calls(plant);
     let schedule = Schedule::new(plant, &exact, counting, valid);
-    let errors = Errors::new(plant, &request.signals, &exact, &schedule).ok_or_else(|| unobservable(plant))?;
+    let errors = Errors::new(plant, &request.signals, &exact, &schedule, valid).ok_or_else(|| unobservable(plant))?;
     let remaining = errors.remaining(valid);
     let certificate = errors.certify(valid, &remaining);
     corrector.recovery = errors.recovery(valid, remaining.share);
@@ -98,28 +96,17 @@ pub fn build(request: &Request) -> Result<Built, Vec<Diagnostic>> {
 /// Rounds of the search for the call, each over the calls that the one before found.
 const ROUNDS: usize = 8;
 
-/// The call at which a constant gain has made the initial error small enough: in the size that is taken over as many
-/// calls, so that it is found by rounds, and then from above.
-fn contracted(plant: &Plant, signals: &[Signal], exact: &Exact, counting: Counting) -> Result<usize, Vec<Diagnostic>> {
-    let over = |calls: usize| Schedule::new(plant, exact, counting, calls);
-    let most = MOST_CALLS.min(MOST_WORK / plant.states.len().pow(3).max(1));
+/// The first call from which on little enough of the initial error is left: in the size that is taken over as many calls,
+/// so that it is found by rounds.
+fn contracted(plant: &Plant, exact: &Exact, counting: Counting) -> Result<usize, Vec<Diagnostic>> {
+    let schedule = Schedule::new(plant, exact, counting, 0);
     let mut valid = 0;
     for round in 0..=ROUNDS {
-        let schedule = over(valid);
-        let errors = Errors::new(plant, signals, exact, &schedule).ok_or_else(|| unobservable(plant))?;
-        let radius = errors.radius();
-        if radius >= 1.0 {
-            let label = format!("{} {} of it in the long run", leaves(&schedule), crate::numbers::short(radius));
-            return Err(vec![grows(plant, "the estimation error does not die out", radius).label(label)]);
+        let found = until(plant, exact, &schedule, valid, CONTRACTED).ok_or_else(|| unobservable(plant))?;
+        let found = found.map_err(|radius| vec![stays(plant, &schedule, radius)])?;
+        if found > MOST_CALLS {
+            return Err(vec![outlasts(plant, found)]);
         }
-        let Some(found) = errors.reaches(CONTRACTED, most) else {
-            let label = match schedule.cycle.len() {
-                1 => format!("more than {most} calls; one leaves {radius} of it in the long run"),
-                calls => format!("more than {most} calls; {calls} leave {radius} of it in the long run"),
-            };
-            let message = "the estimation error dies out too slowly to be certified";
-            return Err(vec![grows(plant, message, radius).label(label)]);
-        };
         // What is enough in the size over `valid` calls is promised only where these are as many.
         if found == valid || round == ROUNDS {
             valid = found.max(valid);
@@ -127,10 +114,19 @@ fn contracted(plant: &Plant, signals: &[Signal], exact: &Exact, counting: Counti
         }
         valid = found;
     }
-    while Errors::new(plant, signals, exact, &over(valid)).is_some_and(|e| e.remaining(valid).share > CONTRACTED) {
-        valid += 1 + valid / 100;
-    }
     Ok(valid.next_multiple_of(interval::calls(plant)))
+}
+
+fn stays(plant: &Plant, schedule: &Schedule, radius: f64) -> Diagnostic {
+    let label = format!("{} {} of it in the long run", leaves(schedule), crate::numbers::factor(radius));
+    grows(plant, "the estimation error does not die out", radius).label(label)
+}
+
+fn outlasts(plant: &Plant, calls: usize) -> Diagnostic {
+    let message = "the estimation error dies out later than a step can count";
+    let lasts = crate::numbers::seconds(calls, plant.sample_time_s());
+    let label = format!("after {calls} calls, {} s; at most {MOST_CALLS}", crate::numbers::short(lasts));
+    grows(plant, message, crate::numbers::count(calls)).label(label)
 }
 
 /// What makes the map whose radius is shown.

@@ -11,13 +11,15 @@ mod size;
 use nalgebra::{DMatrix, DVector};
 
 use super::exact::Exact;
+use super::far::Far;
+use super::rounds::Rounds;
 use super::schedule::Schedule;
 use crate::plant::Plant;
 use crate::promise::CONTRACTED;
 use crate::promise::kernel::Kernel;
 use crate::real::{Matrix, Real};
 use crate::sampled::Signal;
-use size::coordinates;
+pub(super) use size::coordinates;
 
 /// Multiplications spent on the calls of a recovery.
 const MOST_RECOVERY: usize = 20_000_000;
@@ -34,6 +36,7 @@ pub struct Errors<'a> {
     /// Coordinates of the size over all calls from these, and states from those; n x n.
     far: DMatrix<f64>,
     far_to: DMatrix<f64>,
+    wide: Far,
     phi: DMatrix<f64>,
     c: DMatrix<f64>,
     /// Per signal: its effects at the beginning and at the end of an interval, n x 1, in states.
@@ -41,6 +44,8 @@ pub struct Errors<'a> {
     /// K, n x p, of the calls after the first sample, and of those that follow, over and over; in the coordinates.
     lead: Vec<DMatrix<f64>>,
     pub(super) cycle: Vec<DMatrix<f64>>,
+    /// The latter in states.
+    turn: Vec<DMatrix<f64>>,
 }
 
 /// What is left of an initial error at a call.
@@ -84,12 +89,19 @@ impl Sums {
 }
 
 impl<'a> Errors<'a> {
-    /// For a design and its schedule; `None` where the coordinates cannot be formed.
-    pub fn new(plant: &'a Plant, signals: &'a [Signal], exact: &Exact, schedule: &Schedule) -> Option<Self> {
+    /// For a design and its schedule, with the size of an error over the calls until the promised one; `None` where the
+    /// coordinates cannot be formed.
+    pub fn new(
+        plant: &'a Plant,
+        signals: &'a [Signal],
+        exact: &Exact,
+        schedule: &Schedule,
+        valid: usize,
+    ) -> Option<Self> {
         let model = &exact.model;
         let n = plant.states.len();
         let (to, back) = coordinates(&model.phi, &model.c, n)?;
-        let (far, far_back) = coordinates(&model.phi, &model.c, schedule.lead.len().max(n))?;
+        let wide = Far::new(&model.phi, &model.c, schedule.lead.len().max(valid))?;
         let effect = |part: &Option<Matrix>| match part {
             Some(column) => DVector::from_iterator(n, column.iter().map(Real::to_f64)),
             None => DVector::zeros(n),
@@ -97,11 +109,33 @@ impl<'a> Errors<'a> {
         let effects = model.effects.iter().map(|e| [effect(&e.at_begin), effect(&e.at_end)]).collect();
         let phi = (&(&to * &model.phi) * &back).doubles();
         let c = (&model.c * &back).doubles();
-        let (far, far_to) = ((&far * &back).doubles(), (&to * &far_back).doubles());
+        let (far, far_to) = ((&wide.to * &back).doubles(), (&to * &wide.back).doubles());
         let (to, back) = (to.doubles(), back.doubles());
         let of = |gains: &[DMatrix<f64>]| gains.iter().map(|gain| &to * gain).collect();
         let (lead, cycle) = (of(&schedule.lead), of(&schedule.cycle));
-        Some(Self { plant, signals, to, back, far, far_to, phi, c, effects, lead, cycle })
+        let turn = schedule.cycle.clone();
+        Some(Self { plant, signals, to, back, far, far_to, wide, phi, c, effects, lead, cycle, turn })
+    }
+
+    /// The plant in coordinates of the size until the promised call.
+    pub(super) fn far(&self) -> &Far {
+        &self.wide
+    }
+
+    /// K of the calls that go round, n x p, of states.
+    pub(super) fn turn(&self) -> &[DMatrix<f64>] {
+        &self.turn
+    }
+
+    /// Which of them a call has.
+    pub(super) fn place(&self, call: usize) -> usize {
+        let turn = self.turn.len();
+        (call + turn - 1 + self.lead.len() * (turn - 1)) % turn
+    }
+
+    /// Per signal: its effects at the beginning and at the end of an interval, n x 1, of states.
+    pub(super) fn effects(&self) -> &[[DVector<f64>; 2]] {
+        &self.effects
     }
 
     /// n.
@@ -116,6 +150,10 @@ impl<'a> Errors<'a> {
 
     /// What is left of an initial error at a call.
     pub fn remaining(&self, call: usize) -> Remaining {
+        if self.lead.is_empty() {
+            let wide = Rounds::new(&self.wide, &self.turn).after(call);
+            return self.left(&(&self.far_to * wide * &self.far));
+        }
         let mut transition = self.identity();
         for k in 1..=call {
             transition = self.transition(k) * transition;
@@ -136,41 +174,17 @@ impl<'a> Errors<'a> {
         remaining
     }
 
-    /// The first call at which at most this share is left; `None` when there is none among so many.
-    pub fn reaches(&self, share: f64, most: usize) -> Option<usize> {
-        let mut transition = self.identity();
-        for call in 0..=most {
-            if call > 0 {
-                transition = self.transition(call) * transition;
-            }
-            if self.left(&transition).share <= share {
-                return Some(call);
-            }
-        }
-        None
-    }
-
     /// Calls that leave no more of any error than the first convergence did, where the last gains go on; a millionth is
     /// enough.
     pub fn recovery(&self, valid: usize, share: f64) -> usize {
+        let mut rounds = Rounds::new(&self.wide, &self.turn);
         // A countdown that goes round is met anywhere.
         let stride = self.cycle.len().div_ceil(MOST_PLACES);
         let places = (0..self.cycle.len()).step_by(stride);
-        let slowest = places.map(|place| self.recovered(valid + place, share.max(CONTRACTED))).max();
-        slowest.unwrap_or(1) + stride - 1
-    }
-
-    /// Calls after one that leave no more than a share of any error.
-    fn recovered(&self, from: usize, share: f64) -> usize {
-        let most = MOST_RECOVERY / self.order().pow(3) / self.cycle.len().min(MOST_PLACES);
-        let mut transition = self.identity();
-        for call in 1..=most {
-            transition = self.transition(from + call) * transition;
-            if (&self.far * &transition * &self.far_to).norm() <= share {
-                return call;
-            }
-        }
-        most.max(1)
+        let most = MOST_RECOVERY / self.order().pow(3);
+        let share = share.max(CONTRACTED);
+        let calls = places.map(|place| rounds.until_from(self.place(valid + place + 1), share).unwrap_or(most));
+        calls.max().unwrap_or(1).max(1) + stride - 1
     }
 
     fn left(&self, transition: &DMatrix<f64>) -> Remaining {
@@ -179,20 +193,14 @@ impl<'a> Errors<'a> {
         if hidden.is_empty() {
             return Remaining { share: 0.0, by_state };
         }
-        // Errors of these states alone, by their size over all calls.
-        let mut columns = (&self.far * &self.to).select_columns(&hidden);
-        // Squares of what is far below one would vanish.
-        columns.column_iter_mut().for_each(|mut column| column /= column.amax().max(f64::MIN_POSITIVE));
-        let share = (&self.far * transition * &self.far_to * columns.qr().q()).norm();
+        let columns = span((&self.far * &self.to).select_columns(&hidden));
+        let share = (&self.far * transition * &self.far_to * columns).norm();
         Remaining { share, by_state }
     }
 
     /// The spectral radius of the last gain's transition, or of a whole cycle's.
     pub fn radius(&self) -> f64 {
-        let calls = self.lead.len() + 1..=self.lead.len() + self.cycle.len();
-        let first = self.transition(*calls.start());
-        let step = calls.skip(1).fold(first, |step, call| self.transition(call) * step);
-        step.complex_eigenvalues().iter().map(|z| (z.re * z.re + z.im * z.im).sqrt()).fold(0.0, f64::max)
+        Rounds::new(&self.wide, &self.turn).radius()
     }
 
     /// The gain of a call, from 1.
@@ -259,29 +267,44 @@ impl<'a> Errors<'a> {
         }
     }
 
-    /// Whether every sample of an output has the same gain; the cycle goes round from the first call on.
-    pub(super) fn is_constant(&self) -> bool {
+    /// Whether the gains go round from the first call on.
+    pub(super) fn goes_round(&self) -> bool {
         let turned = self.lead.iter().rev().zip(self.cycle.iter().rev().cycle());
-        turned.into_iter().all(|(lead, cycle)| lead == cycle) && self.is_held()
-    }
-
-    /// Whether that is so after the lead.
-    pub(super) fn is_held(&self) -> bool {
-        let column = |o: usize| self.cycle.iter().map(move |gain| gain.column(o));
-        let one = |o: usize| {
-            let mut due = column(o).filter(|column| column.iter().any(|entry| *entry != 0.0));
-            let first = due.next();
-            due.all(|other| Some(other) == first)
-        };
-        (0..self.plant.outputs.len()).all(one)
+        turned.into_iter().all(|(lead, cycle)| lead == cycle)
     }
 
     /// The weights of the first sample in the state at the start, n x p.
-    fn starts(&self) -> DMatrix<f64> {
+    pub(super) fn starts(&self) -> DMatrix<f64> {
         let mut starts = DMatrix::zeros(self.order(), self.plant.outputs.len());
         for (i, state) in self.plant.states.iter().enumerate() {
             state.measured.iter().for_each(|(o, weight)| starts[(i, *o)] = weight.to_f64().unwrap_or(0.0));
         }
         starts
     }
+}
+
+/// The first call from which on no more than a share is left of an initial error of the states that the first sample does
+/// not show, in the size over as many calls as given, where the gains, n x p, go round from the first call on.
+pub(super) fn until(
+    plant: &Plant,
+    exact: &Exact,
+    schedule: &Schedule,
+    over: usize,
+    share: f64,
+) -> Option<Result<usize, f64>> {
+    let far = Far::new(&exact.model.phi, &exact.model.c, over)?;
+    let hidden: Vec<usize> = (0..plant.states.len()).filter(|i| plant.states[*i].measured.is_empty()).collect();
+    let mut rounds = Rounds::new(&far, &schedule.cycle);
+    if hidden.is_empty() {
+        return Some(rounds.levels(share).map(|_| 0).ok_or_else(|| rounds.radius()));
+    }
+    let start = span(far.to.doubles().select_columns(&hidden));
+    Some(rounds.until(&start, share).ok_or_else(|| rounds.radius()))
+}
+
+/// An orthonormal basis of columns, by their directions.
+fn span(mut columns: DMatrix<f64>) -> DMatrix<f64> {
+    // Squares of what is far below one would vanish.
+    columns.column_iter_mut().for_each(|mut column| column /= column.amax().max(f64::MIN_POSITIVE));
+    columns.qr().q()
 }

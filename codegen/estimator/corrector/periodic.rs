@@ -2,13 +2,12 @@
 //!
 //! An output with `every = g` is measured at calls 0, g, 2 g, …; a cycle has as many calls as the least common multiple of
 //! all g.
-//! One call takes the prediction's covariance by `P -> Phi (I + P G)^-1 P Phi' + Q`, G the information `C' R^-1 C` of the
-//! outputs that are due. Such maps `(A, G, H): P -> A (I + P G)^-1 P A' + H` compose to one of the same form
-//! (Chu, Fan, Lin and Wang 2004, "Structure-preserving algorithms for periodic discrete-time algebraic Riccati equations"),
-//! so that a cycle's fixed point is that of a steady filter. Phi need not be invertible.
+//! What the calls of a cycle do to the prediction's covariance is put together ([`doubling`](super::doubling)), so that a
+//! cycle's fixed point is that of a steady filter. Phi need not be invertible.
 
-use super::riccati::{Failure, GUARD, Noise, check, closed_loop, contracts, gain, subspace};
-use crate::real::{Matrix, Precision, Real, solve};
+use super::doubling::Map;
+use super::riccati::{Failure, GUARD, Noise, Way, check, closed_loop, contracts, gain, told_apart};
+use crate::real::{Matrix, Real, solve};
 
 /// The filter after all transients.
 #[derive(Clone, Debug)]
@@ -19,32 +18,6 @@ pub struct Periodic {
     pub updated: Vec<Matrix>,
     /// Largest entry of what a cycle leaves of its own equation, relative to the largest entry of P.
     pub residual: f64,
-}
-
-/// What calls do to a prediction's covariance.
-#[derive(Clone, Debug)]
-struct Map {
-    a: Matrix,
-    g: Matrix,
-    h: Matrix,
-}
-
-impl Map {
-    /// This one, and then another.
-    fn then(&self, next: &Self) -> Option<Self> {
-        let one = Matrix::identity(self.a.rows(), self.a.precision());
-        let seen = &one + &(&self.h * &next.g);
-        let carried = solve(&seen, &self.a).ok()?;
-        let held = solve(&seen, &self.h).ok()?;
-        // (I + G2 H1)^-1 G2 A1: the transpose of what the other order gives, as G and H are symmetric.
-        let looked = solve(&seen.transpose(), &(&next.g * &self.a)).ok()?;
-        let symmetric = |m: Matrix| (&m + &m.transpose()).shifted(-1);
-        Some(Self {
-            a: &next.a * &carried,
-            g: symmetric(&self.g + &(&self.a.transpose() * &looked)),
-            h: symmetric(&next.h + &(&(&next.a * &held) * &next.a.transpose())),
-        })
-    }
 }
 
 /// Calls of a cycle: the least common multiple; `None` beyond any that is designed.
@@ -67,19 +40,19 @@ pub fn periodic(phi: &Matrix, c: &Matrix, noise: &Noise, every: &[usize], calls:
     check(noise)?;
     let due = |call: usize| -> Vec<usize> { (0..every.len()).filter(|o| call.is_multiple_of(every[*o])).collect() };
     let due: Vec<Vec<usize>> = (0..calls).map(due).collect();
-    if let Some(found) = solution(phi, c, noise, &due)? {
-        return Ok(found);
-    }
-    // With every state excited, only what is not seen stands in the way.
-    let process = Matrix::identity(phi.rows(), phi.precision());
-    let excited = Noise { process, measurement: noise.measurement.clone() };
-    Err(if solution(phi, c, &excited, &due)?.is_some() { Failure::Unexcited } else { Failure::Undetectable })
+    told_apart(noise, |noise, way| solution(phi, c, noise, &due, way))
 }
 
 /// The stabilising solution, if there is one; `due` has the outputs of each call.
-fn solution(phi: &Matrix, c: &Matrix, noise: &Noise, due: &[Vec<usize>]) -> Result<Option<Periodic>, Failure> {
+fn solution(
+    phi: &Matrix,
+    c: &Matrix,
+    noise: &Noise,
+    due: &[Vec<usize>],
+    way: Way,
+) -> Result<Option<Periodic>, Failure> {
     let p = phi.precision();
-    let Some(start) = fixed_point(phi, c, noise, due, p) else { return Ok(None) };
+    let Some(start) = fixed_point(phi, c, noise, due, way) else { return Ok(None) };
     let (n, outputs) = (phi.rows(), c.rows());
     let mut found = Periodic { gains: Vec::new(), updated: Vec::new(), residual: 0.0 };
     let mut around = Matrix::identity(n, p);
@@ -107,7 +80,8 @@ fn solution(phi: &Matrix, c: &Matrix, noise: &Noise, due: &[Vec<usize>]) -> Resu
 }
 
 /// The prediction's covariance at the cycle's first call.
-fn fixed_point(phi: &Matrix, c: &Matrix, noise: &Noise, due: &[Vec<usize>], p: Precision) -> Option<Matrix> {
+fn fixed_point(phi: &Matrix, c: &Matrix, noise: &Noise, due: &[Vec<usize>], way: Way) -> Option<Matrix> {
+    let p = phi.precision();
     let working = p.plus(GUARD);
     let wide = |m: &Matrix| m.with_precision(working);
     let (phi, c, q) = (wide(phi), wide(c), wide(&noise.process));
@@ -127,8 +101,7 @@ fn fixed_point(phi: &Matrix, c: &Matrix, noise: &Noise, due: &[Vec<usize>], p: P
             None => call,
         });
     }
-    let cycle = cycle?;
-    subspace(&cycle.a, &cycle.g, &cycle.h).map(|solution| solution.with_precision(p))
+    way.fixed_point(&cycle?).map(|solution| solution.with_precision(p))
 }
 
 /// The rows of C, and the noise, of some outputs.
@@ -143,6 +116,7 @@ mod tests {
     use super::super::noise::{Definiteness, definiteness};
     use super::super::riccati::steady;
     use super::*;
+    use crate::real::Precision;
 
     fn entries(seed: u64) -> impl FnMut(usize, usize) -> Real {
         let mut state = seed;

@@ -4,13 +4,14 @@
 //! `P = Phi (P - P C' (C P C' + R)^-1 C P) Phi' + Q`, and `K = P C' (C P C' + R)^-1` corrects the prediction by the
 //! sample of the same instant: `x = x- + K (y - C x-)`.
 //!
-//! Steady: the stable subspace of the symplectic pencil by the matrix sign function of its Cayley transform
-//! (Lancaster and Rodman 1995, chapters 12 and 22). It takes any Phi, singular ones too. The doubling algorithm would
-//! be cheaper, but it follows the covariance from zero on, and never leaves it where a growing mode is not excited by
-//! Q. Nothing is believed: `(I - K C) Phi` must contract, and the equation's residual goes with the solution.
+//! Steady: by doubling ([`doubling`](super::doubling)), which follows the covariance from nothing on, and never leaves that
+//! where a growing mode is not excited by Q; there, by the stable subspace of the symplectic pencil, from the matrix sign
+//! function of its Cayley transform (Lancaster and Rodman 1995, chapters 12 and 22), which is dearer. Both take any Phi,
+//! singular ones too. Nothing is believed: `(I - K C) Phi` must contract, and the equation's residual goes with the solution.
 
 use crate::real::{Matrix, Precision, Real, balanced, inverse, least_squares, solve, unbalanced};
 
+use super::doubling::{Map, within_reach};
 use super::noise::{Definiteness, definiteness};
 
 /// Covariances per sample.
@@ -51,8 +52,8 @@ pub(super) const GUARD: usize = 64;
 /// Steps of the sign iteration, which converges quadratically; a pencil with an eigenvalue on the unit circle to half
 /// of all digits never settles.
 const ITERATIONS: usize = 100;
-/// Doublings of the closed loop's map until it must contract; what takes longer is not stable.
-const DOUBLINGS: usize = 40;
+/// Squarings of the closed loop's map until it must contract; what takes longer is not stable.
+const SQUARINGS: usize = 100;
 /// Bits at which stability is checked.
 const STABILITY_BITS: usize = 256;
 
@@ -62,16 +63,43 @@ const STABILITY_BITS: usize = 256;
 /// [`Failure`].
 pub fn steady(phi: &Matrix, c: &Matrix, noise: &Noise) -> Result<Steady, Failure> {
     check(noise)?;
-    if let Some(found) = solution(phi, c, noise)? {
+    told_apart(noise, |noise, way| solution(phi, c, noise, way))
+}
+
+/// The filter by either way, or why there is none.
+pub(super) fn told_apart<T>(
+    noise: &Noise,
+    solution: impl Fn(&Noise, Way) -> Result<Option<T>, Failure>,
+) -> Result<T, Failure> {
+    if let Some(found) = solution(noise, Way::Doubling)? {
         return Ok(found);
     }
     // With every state excited, only what is not seen stands in the way.
-    let n = phi.rows();
-    let excited = Noise { process: Matrix::identity(n, phi.precision()), measurement: noise.measurement.clone() };
-    Err(match solution(phi, c, &excited)? {
-        Some(_) => Failure::Unexcited,
-        None => Failure::Undetectable,
-    })
+    let process = Matrix::identity(noise.process.rows(), noise.process.precision());
+    let excited = Noise { process, measurement: noise.measurement.clone() };
+    if solution(&excited, Way::Doubling)?.is_none() {
+        return Err(Failure::Undetectable);
+    }
+    solution(noise, Way::Subspace)?.ok_or(Failure::Unexcited)
+}
+
+/// How a covariance is found that calls leave as it is.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Way {
+    /// From nothing on.
+    Doubling,
+    /// By the stable subspace.
+    Subspace,
+}
+
+impl Way {
+    /// The covariance, at the precision of the map; `None` where there is none.
+    pub(super) fn fixed_point(self, calls: &Map) -> Option<Matrix> {
+        match self {
+            Self::Doubling => calls.fixed_point(),
+            Self::Subspace => subspace(&calls.a, &calls.g, &calls.h),
+        }
+    }
 }
 
 pub(super) fn check(noise: &Noise) -> Result<(), Failure> {
@@ -83,8 +111,8 @@ pub(super) fn check(noise: &Noise) -> Result<(), Failure> {
 }
 
 /// The stabilising solution, if there is one.
-fn solution(phi: &Matrix, c: &Matrix, noise: &Noise) -> Result<Option<Steady>, Failure> {
-    let Some(predicted) = stable_subspace(phi, c, noise) else { return Ok(None) };
+fn solution(phi: &Matrix, c: &Matrix, noise: &Noise, way: Way) -> Result<Option<Steady>, Failure> {
+    let Some(predicted) = predicted(phi, c, noise, way) else { return Ok(None) };
     let gain = gain(c, &predicted, noise)?;
     let closed = closed_loop(phi, c, &gain);
     if !contracts(&closed) {
@@ -113,28 +141,30 @@ pub fn closed_loop(phi: &Matrix, c: &Matrix, gain: &Matrix) -> Matrix {
 /// Whether the powers of a map die out.
 pub fn contracts(map: &Matrix) -> bool {
     let mut power = map.with_precision(Precision::bits(STABILITY_BITS));
-    for _ in 0..DOUBLINGS {
+    for _ in 0..SQUARINGS {
         if power.norm_inf() < Real::one(power.precision()) {
             return true;
         }
-        power = &power * &power;
+        let Some(within) = within_reach(&power) else { return false };
+        power = &within * &within;
     }
     false
 }
 
-/// P from the pencil `[[Phi', 0], [-Q, I]] - z [[I, C' R^-1 C], [0, Phi]]`: `[I; P]` spans what is inside the unit
-/// circle. `None` where an eigenvalue lies on it or the subspace has no such basis.
-fn stable_subspace(phi: &Matrix, c: &Matrix, noise: &Noise) -> Option<Matrix> {
+/// P, with guard bits on the way.
+fn predicted(phi: &Matrix, c: &Matrix, noise: &Noise, way: Way) -> Option<Matrix> {
     let p = phi.precision();
     let working = p.plus(GUARD);
     let wide = |m: &Matrix| m.with_precision(working);
     let (phi, c, q, r) = (wide(phi), wide(c), wide(&noise.process), wide(&noise.measurement));
     let information = &c.transpose() * &solve(&r, &c).ok()?;
-    subspace(&phi, &information, &q).map(|solution| solution.with_precision(p))
+    way.fixed_point(&Map { a: phi, g: information, h: q }).map(|solution| solution.with_precision(p))
 }
 
-/// P of `P = Phi (I + P G)^-1 P Phi' + Q` with G n x n the information of a call's samples, at the precision given.
-pub(super) fn subspace(phi: &Matrix, information: &Matrix, q: &Matrix) -> Option<Matrix> {
+/// P of `P = Phi (I + P G)^-1 P Phi' + Q` with G n x n the information of a call's samples, from the pencil
+/// `[[Phi', 0], [-Q, I]] - z [[I, G], [0, Phi]]`: `[I; P]` spans what is inside the unit circle. `None` where an eigenvalue
+/// lies on it or the subspace has no such basis.
+fn subspace(phi: &Matrix, information: &Matrix, q: &Matrix) -> Option<Matrix> {
     let (n, working) = (phi.rows(), phi.precision());
     let identity = Matrix::identity(n, working);
     let mut left = Matrix::zeros(2 * n, 2 * n, working);
@@ -207,7 +237,7 @@ pub fn first_covariance(readout: &Matrix, deviation: &[Real], noise: &Noise) -> 
     covariance
 }
 
-fn bits(p: Precision) -> f64 {
+pub(super) fn bits(p: Precision) -> f64 {
     crate::numbers::count(p.as_bits())
 }
 
@@ -294,6 +324,23 @@ mod tests {
             let twice = steady(&wide(&phi), &wide(&c), &twice).unwrap();
             let difference = (&twice.gain - &found.gain).max_abs().log2_abs();
             assert!(difference < twice.gain.max_abs().log2_abs() - 200.0, "{n}");
+        }
+    }
+
+    /// Doubling and the stable subspace know nothing of each other: to all digits they give the same covariance, also of a
+    /// filter that forgets slowly.
+    #[test]
+    fn both_ways_give_the_same_covariance() {
+        let slow = matrix(&[["1", "0.001"], ["0", "1"]]);
+        let fast = matrix(&[["1.5", "0.25"], ["-0.5", "0.75"]]);
+        let c = matrix(&[["1", "0"]]);
+        for (phi, q) in [(slow, ["0", "1e-14"]), (fast, ["0.1", "1e-3"])] {
+            let process = matrix(&[[q[0], "0"], ["0", q[1]]]);
+            let noise = noise(process, matrix(&[["0.01"]]));
+            let by = |way| predicted(&phi, &c, &noise, way).unwrap();
+            let (doubled, subspace) = (by(Way::Doubling), by(Way::Subspace));
+            let off = (&doubled - &subspace).max_abs().log2_abs() - subspace.max_abs().log2_abs();
+            assert!(off < -200.0, "{off}");
         }
     }
 

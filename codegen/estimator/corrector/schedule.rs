@@ -16,12 +16,20 @@ pub struct Schedule {
 }
 
 impl Schedule {
-    /// Of a design for its plant; `valid` is the call that is promised where the gain is constant.
+    /// Of a design for its plant; `valid` is the call that is promised where there is a countdown. Without one there is no
+    /// lead: the gains go round from the first call on.
     pub fn new(plant: &Plant, exact: &Exact, counting: Counting, valid: usize) -> Self {
         let calls = interval::calls(plant);
         match &exact.law {
-            // The columns of what is not due are zero already.
-            Law::Periodic(_) => Self::at_every_sample(exact, counting, valid),
+            // The first sample is the cycle's first call; the columns of what is not due are zero already.
+            Law::Periodic(gains) => {
+                let cycle = (1..=gains.len()).map(|call| exact.law.gain(exact, counting, call)).collect();
+                Self { lead: Vec::new(), cycle }
+            }
+            _ if counting == Counting::NONE => {
+                let constant = exact.law.gain(exact, counting, counting.stop);
+                Self { lead: Vec::new(), cycle: vec![constant] }.between(calls, 0)
+            }
             _ => Self::at_every_sample(exact, counting, valid.div_ceil(calls)).between(calls, valid),
         }
     }
@@ -47,11 +55,6 @@ impl Schedule {
     /// Of samples at every call.
     fn at_every_sample(exact: &Exact, counting: Counting, valid: usize) -> Self {
         let of = |left: usize| exact.law.gain(exact, counting, left);
-        if let Law::Periodic(gains) = &exact.law {
-            // The first sample is the cycle's first call.
-            let cycle = (valid + 1..=valid + gains.len()).map(of).collect();
-            return Self { lead: (1..=valid).map(of).collect(), cycle };
-        }
         if counting.lead() == 0 && counting.after != After::Restart {
             let constant = of(counting.stop);
             return Self { lead: vec![constant.clone(); valid], cycle: vec![constant] };

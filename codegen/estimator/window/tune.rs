@@ -4,13 +4,13 @@
 //! by golden section, so that no state's unit counts more than another's. The window is thinned for it: k is a
 //! choice, not a constant that has to be exact, and is rounded to three digits so that it can be read.
 
-use crate::real::{Matrix, Precision, Real};
+use crate::real::{Matrix, Real};
 
 use super::innovation::Innovation;
 use crate::sampled::coordinates::Coordinates;
 use crate::sampled::model::Model;
 
-/// Bits of the search; the Gramian of a fast plant loses most of them.
+/// Bits of the search, at first; the Gramian of a fast plant loses most of them.
 pub const BITS: usize = 512;
 /// Samples to which a window is thinned.
 const SAMPLES: usize = 60;
@@ -60,7 +60,7 @@ fn golden(cost: &dyn Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
 /// The sum of the logarithms of the gains, for `k h`.
 fn cost(model: &Model, coordinates: &Coordinates, steps: usize, kh: f64) -> f64 {
     let gains = || -> Option<f64> {
-        let a = (-Real::from_f64(kh, Precision::bits(BITS))?).checked_exp().ok()?;
+        let a = (-Real::from_f64(kh, model.phi.precision())?).checked_exp().ok()?;
         let (form, _) = Innovation::single_delay(model, coordinates, &a, steps).ok()?;
         let weights = form.weights(model, steps);
         let gain = |state: &usize| -> f64 {

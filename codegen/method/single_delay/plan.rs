@@ -70,9 +70,13 @@ impl Plan {
         self.form(keys).exact(plant, &self.signals, p)
     }
 
-    /// S, N, R and what belongs to them.
-    pub(super) fn constants(&self, keys: &Keys, plant: &Plant) -> Result<Vec<NamedMatrix>, Vec<Diagnostic>> {
-        let p = Precision::bits(4 * 256);
+    /// S, N, R and what belongs to them, at one precision.
+    pub(super) fn constants(
+        &self,
+        keys: &Keys,
+        plant: &Plant,
+        p: Precision,
+    ) -> Result<Vec<NamedMatrix>, Vec<Diagnostic>> {
         let named = |letter: &'static str, m: &Matrix| NamedMatrix { letter, rows: m.to_f64() };
         let scalar = |letter: &'static str, x: &Real| NamedMatrix { letter, rows: vec![vec![x.to_f64()]] };
         if keys.form.0 {
@@ -142,7 +146,7 @@ fn forgets(plant: &Plant, rest: &[usize]) -> Result<bool, Vec<Diagnostic>> {
 }
 
 pub(super) fn refuse_gramian(plant: &Plant, why: &str) -> Diagnostic {
-    Diagnostic::error(codes::METHOD_CANNOT, plant.span.clone(), "the reduced observer's Gramian cannot be inverted")
+    Diagnostic::error(codes::PRECISION, plant.span.clone(), "the reduced observer's Gramian cannot be inverted")
         .label(why)
-        .help("`[observer.window]` needs no invertible transition matrix")
+        .help("a shorter window, or `[observer.window]`, which needs no invertible transition matrix")
 }

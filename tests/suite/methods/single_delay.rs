@@ -266,3 +266,17 @@ fn auto_is_the_best_k() {
         assert!(more < 0.01, "{name}: {k} against {best}");
     }
 }
+
+/// The paper's own motor with a window of a second: its Gramian has a condition of 1e80, more than 256 bits hold. R of 000
+/// (6) for samples, computed with 400 digits.
+#[test]
+fn a_long_window_has_as_many_digits_as_it_needs() {
+    let text = "deadbeat = 1\nname = \"motor\"\n[plant]\nA = [[0, 1, 0], [0, -1, 15], [0, -36.4, -200]]\n\
+                B = [[0], [0], [40]]\nC = [[1, 0, 0]]\n[observer.single-delay]\nwindow = 1.0\nk = 100\n\
+                [target]\nsample_time = 1e-3\n";
+    let generated = plant::designed(text);
+    let r = generated.design.constants.iter().find(|matrix| matrix.letter == "R").unwrap();
+    for (found, exact) in r.rows.iter().zip([92.052_691, -17.076_561]) {
+        assert!((found[0] - exact).abs() < 1e-6, "{found:?}, exactly {exact}");
+    }
+}

@@ -7,7 +7,7 @@ const MOST_LOOKS: usize = 256;
 
 /// Coordinates in which the size of an error is the root mean square of the outputs over so many calls, from states;
 /// and states from them.
-pub(super) fn coordinates(phi: &Matrix, c: &Matrix, calls: usize) -> Option<(Matrix, Matrix)> {
+pub(in super::super) fn coordinates(phi: &Matrix, c: &Matrix, calls: usize) -> Option<(Matrix, Matrix)> {
     let p = Precision::bits(512);
     let (phi, mut row) = (phi.with_precision(p), c.with_precision(p));
     let stride = calls.div_ceil(MOST_LOOKS).max(1);
