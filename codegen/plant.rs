@@ -12,6 +12,7 @@ mod expression;
 pub mod features;
 pub mod measurable;
 pub mod modes;
+pub mod moved;
 mod outputs;
 mod reading;
 pub mod sensor;
@@ -120,6 +121,15 @@ pub struct Output {
 }
 
 impl Output {
+    /// What a sample as it comes is within, where that is declared.
+    pub fn sample_range(&self) -> Option<(Constant, Constant)> {
+        let shown = |limit: &Constant| limit.plus(&self.offset).ok();
+        self.raw_range.clone().or_else(|| {
+            let (low, high) = self.range.as_ref()?;
+            Some((shown(low)?, shown(high)?))
+        })
+    }
+
     /// What is added to a sample: half a count where the sensor rounds down, and the constant that the sample has in it,
     /// taken away.
     pub fn shift(&self) -> Option<Constant> {

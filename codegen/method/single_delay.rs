@@ -40,7 +40,7 @@ use crate::estimator::window::tune::{self, best_k};
 use crate::expr::Constant;
 use crate::numbers::{seconds, short, trimmed};
 use crate::plant::Plant;
-use crate::plant::features::{Feature, Limit, holds, is_coarse};
+use crate::plant::features::{Feature, Limit, UNTURNED, holds, is_coarse};
 use crate::real::Precision;
 use crate::sampled::coordinates::Coordinates;
 use crate::sampled::model::{Between, Model, signals_between};
@@ -61,11 +61,13 @@ const LIMITS: &[Limit] = &[
     Limit::new(
         Feature::Counter,
         "it solves for positions, and single precision does not hold every count of 32 bits",
-        "write `wrap`, a turn of at most 2^24 counts, or `scalar = \"f64\"`",
+        "write `wrap`, a turn of at most 2^24 counts, a `range` within 2^24 counts of 0, or `scalar = \"f64\"`",
     )
-    .when("of 32 bits in f32, unless `wrap` is a turn of at most 2^24 counts, with `intermittent`", |case| {
-        holds(case.keys::<Keys>().intermittent.is_some() && is_coarse(case))
-    }),
+    .when(
+        "of 32 bits in f32, unless `wrap` is a turn of at most 2^24 counts or `range` within these, with `intermittent`",
+        |case| holds(case.keys::<Keys>().intermittent.is_some() && is_coarse(case)),
+    ),
+    UNTURNED,
     Limit::new(
         Feature::Every,
         "its weights are of a sample at every call of the window",

@@ -221,22 +221,41 @@ pub fn refused(
 pub const POSITIONS: Limit = Limit::new(
     Feature::Counter,
     "it works with positions, and single precision does not hold every count of 32 bits",
-    "write `wrap`, a turn of at most 2^24 counts, or `scalar = \"f64\"`, or use `window`, which takes differences",
+    "write `wrap`, a turn of at most 2^24 counts, a `range` within 2^24 counts of 0, or `scalar = \"f64\"`, or use `window` \
+     with `wrap = \"counter\"`, which takes differences",
 )
-.when("of 32 bits in f32, unless `wrap` is a turn of at most 2^24 counts", |case| holds(is_coarse(case)));
+.when("of 32 bits in f32, unless `wrap` is a turn of at most 2^24 counts or `range` within these", |case| {
+    holds(is_coarse(case))
+});
+
+/// A method that takes differences takes those of integers where a counter turns; where it does not, samples are floats.
+pub const UNTURNED: Limit = Limit::new(
+    Feature::Counter,
+    "single precision does not hold every count of 32 bits, only differences of a counter that turns",
+    "write `wrap = \"counter\"` if it counts on past its largest number; else a `range` within 2^24 counts of 0, or \
+     `scalar = \"f64\"`",
+)
+.when("of 32 bits in f32 without `wrap`, unless `range` is within 2^24 counts of 0", |case| {
+    holds(case.output().1.wrap.is_none() && is_coarse(case))
+});
 
 /// Whether single precision holds some of an output's counts only.
 pub fn is_coarse(case: &Case) -> bool {
     let output = case.output().1;
-    let turn = output.wrap.as_ref().and_then(|wrap| match &output.quantum {
-        Some(quantum) => wrap.turn.over(quantum).ok()?.to_f64().ok(),
-        None => wrap.turn.to_f64().ok(),
-    });
+    let one = Constant::one();
+    let counts = |value: &Constant| value.over(output.quantum.as_ref().unwrap_or(&one)).ok()?.to_f64().ok();
+    let turn = output.wrap.as_ref().and_then(|wrap| counts(&wrap.turn));
     // Below, a single is every count of a turn; what is late or has inputs in it works with floats.
     let bare = output.delay.is_none() && output.feedthrough.iter().all(Constant::is_zero);
-    let turns = bare && turn.is_some_and(|turn| turn <= 16_777_216.0);
-    case.plant.scalar == Scalar::F32 && output.counter.is_some_and(|counter| counter.bits != 16) && !turns
+    let turns = bare && turn.is_some_and(|turn| turn <= EXACT);
+    let near = output.sample_range().is_some_and(|(low, high)| {
+        output.wrap.is_none() && [low, high].iter().all(|limit| counts(limit).is_some_and(|c| c.abs() <= EXACT))
+    });
+    case.plant.scalar == Scalar::F32 && output.counter.is_some_and(|counter| counter.bits != 16) && !turns && !near
 }
+
+/// 2^24: singles hold every whole number up to it.
+const EXACT: f64 = 16_777_216.0;
 
 /// A nonlinear term of an output, with its place.
 pub fn nonlinear_term(case: &Case) -> Against {

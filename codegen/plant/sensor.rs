@@ -8,7 +8,7 @@ use crate::expr::Constant;
 use crate::expr::poly::PolyError;
 use crate::real::Rational;
 pub use crate::spec::sensor::Counter;
-use crate::spec::sensor::Rounding;
+use crate::spec::sensor::{Rounding, Turn};
 use crate::spec::{self, Quantity};
 
 use super::reading::Reading;
@@ -18,7 +18,8 @@ use super::reading::Reading;
 pub struct Wrap {
     /// One turn, in the output's unit.
     pub turn: Constant,
-    /// s, n: `A s = 0`, `C s = 1` for this output and 0 for those that do not wrap; proven.
+    /// s, n: `A s = 0`, `C s = 1` for this output and 0 for those that do not wrap; proven. Of what it moves besides the
+    /// output itself, [`Wrap::moved`] tells.
     pub direction: Vec<Constant>,
     /// Of the key in the file.
     pub span: Range<usize>,
@@ -48,6 +49,7 @@ pub struct Aged {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Sensor {
     pub(super) turn: Option<(Constant, Range<usize>)>,
+    pub(super) turn_moves: bool,
     pub(super) max_rate: Option<Constant>,
     pub(super) quantum: Option<Constant>,
     pub(super) floor: bool,
@@ -84,6 +86,11 @@ pub(crate) fn half(constant: &Constant) -> Result<Constant, PolyError> {
     constant.times(&Constant::from(Rational::from_parts(1.into(), 2_u8.into())))
 }
 
+/// All numbers of a counter, in counts.
+fn whole(counter: Counter) -> Constant {
+    Constant::from(Rational::from(counter.numbers()))
+}
+
 impl Reading<'_> {
     /// The keys of one output; `sample_time` and `jitter` as far as they could be read.
     pub(super) fn sensor(
@@ -94,7 +101,7 @@ impl Reading<'_> {
     ) -> Option<Sensor> {
         let written = &output.sensor;
         let quantum = self.above_zero(written.quantum.as_ref(), "one count", "write its size in the output's unit");
-        let turn = self.above_zero(written.wrap.as_ref(), "a turn", "write its size in the output's unit: `'2*pi'`");
+        let turn = self.turn(written);
         let max_rate =
             self.above_zero(written.max_rate.as_ref(), "the largest rate", "write it in the output's unit per second");
         let size = self.above_zero(written.gate.as_ref(), "a gate", "write how far a good sample may be off at most");
@@ -102,7 +109,8 @@ impl Reading<'_> {
         let (quantum, turn, max_rate, size, oldest) = (quantum?, turn?, max_rate?, size?, oldest?);
         let span = |quantity: &Option<Quantity>| quantity.as_ref().map_or(0..0, Quantity::span);
         let sensor = Sensor {
-            turn: turn.map(|turn| (turn, span(&written.wrap))),
+            turn: turn.zip(written.wrap.as_ref().map(Turn::span)),
+            turn_moves: written.turn_moves.0,
             max_rate,
             quantum,
             floor: written.rounding.as_ref().is_some_and(|(rounding, _)| *rounding == Rounding::Floor),
@@ -124,6 +132,42 @@ impl Reading<'_> {
         Some(sensor)
     }
 
+    /// One turn in the output's unit, if there is one; `None` outside when it is wrong.
+    fn turn(&mut self, written: &spec::sensor::Sensor) -> Option<Option<Constant>> {
+        match (&written.wrap, &written.counter) {
+            (Some(Turn::Of(size)), _) => {
+                self.above_zero(Some(size), "a turn", "write its size in the output's unit: `'2*pi'`")
+            }
+            (Some(Turn::OfTheCounter(_)), Some((counter, _))) => {
+                let quantum =
+                    written.quantum.as_ref().map_or(Some(Constant::one()), |quantum| self.constant(quantum))?;
+                Some(quantum.times(&whole(*counter)).ok())
+            }
+            _ => Some(None),
+        }
+    }
+
+    /// A counter that turns shows every number of its type.
+    fn check_whole(&mut self, counts: &Constant, counter: Counter, sensor: &Sensor, output: &spec::Output) {
+        let Some((limits, range)) = &output.range else { return };
+        let Some((_, span)) = sensor.turn.as_ref().filter(|_| *counts == whole(counter)) else { return };
+        let [low, high] = limits.as_slice() else { return };
+        let (Some(low), Some(high)) = (self.constant(low), self.constant(high)) else { return };
+        let one = Constant::one();
+        let quantum = sensor.quantum.as_ref().unwrap_or(&one);
+        let in_counts = |limit: &Constant| limit.over(quantum).ok().and_then(|c| c.to_f64().ok()).unwrap_or(f64::NAN);
+        let (low, high, (least, most)) = (in_counts(&low), in_counts(&high), counter.range());
+        if low <= least && high >= most {
+            return;
+        }
+        let name = &output.named.name.value;
+        let message = format!("`{name}` turns through every number of its type, and its range leaves some out");
+        let label = format!("from {} to {} counts of {least} to {most}", decimal::show(low), decimal::show(high));
+        let error = Diagnostic::error(codes::BAD_COMBINATION, range.clone(), message).label(label);
+        let error = error.context(span.clone(), "a turn of all its numbers");
+        self.found.push(error.help("leave out `wrap` if the samples stay within `range`, or `range` if they count on"));
+    }
+
     /// Half a turn must be more than the output moves in a sample, and a turn a whole number of counts.
     fn check_turn(&mut self, sensor: &Sensor, output: &spec::Output, sample_time: Option<&Constant>) {
         let Some((turn, span)) = &sensor.turn else { return };
@@ -140,16 +184,20 @@ impl Reading<'_> {
             let longest = decimal::show(half / number(rate));
             self.found.push(error.help(format!("a sample time below {longest} s: the way round could not be told")));
         }
-        let Some((_, counted)) = &sensor.counter else { return };
+        let Some((counter, counted)) = &sensor.counter else { return };
         let one = Constant::one();
         let counts = turn.over(sensor.quantum.as_ref().unwrap_or(&one)).ok();
         if !counts.as_ref().and_then(Constant::as_rational).is_some_and(|counts| counts.is_int()) {
             let message = "a turn must be a whole number of counts";
             let error = Diagnostic::error(codes::BAD_COMBINATION, span.clone(), message);
-            let label = counts.map_or_else(String::new, |c| format!("this is {} counts", decimal::show(number(&c))));
+            let label =
+                counts.as_ref().map_or_else(String::new, |c| format!("this is {} counts", decimal::show(number(c))));
             let error = error.label(label).context(counted.clone(), "counts are integers");
             self.found
                 .push(error.help("write `wrap` in the output's unit and `quantum` as a share of it: `'2*pi/4096'`"));
+        }
+        if let Some(counts) = counts {
+            self.check_whole(&counts, *counter, sensor, output);
         }
     }
 

@@ -9,22 +9,19 @@ use crate::expr::poly::{Atom, Monomial, Poly, PolyError};
 use crate::expr::{Constant, Function, List, Symbol};
 use crate::real::Rational;
 
-use super::Plant;
 use super::elimination::reduce;
 use super::sensor::{Sensor, Wrap};
+use super::{Plant, moved};
 
-/// The turn of an output, proven; of a counter that may overflow unnoticed also without the key. Else why it is none.
+/// The turn of an output, proven. Else why it is none.
 pub(super) fn wrap(plant: &Plant, output: usize, sensor: &Sensor) -> Result<Option<Wrap>, Box<Diagnostic>> {
-    if let Some((turn, span)) = &sensor.turn {
-        let direction = direction(plant, output, turn, span)?;
-        return Ok(Some(Wrap { turn: turn.clone(), direction, span: span.clone() }));
+    let Some((turn, span)) = &sensor.turn else { return Ok(None) };
+    let direction = direction(plant, output, turn, span)?;
+    let wrap = Wrap { turn: turn.clone(), direction, span: span.clone() };
+    match moved::besides(plant, output, &wrap).iter().find(|moved| !moved.turns) {
+        Some(first) if !sensor.turn_moves => Err(Box::new(moved::refusal(plant, output, &wrap, first))),
+        _ => Ok(Some(wrap)),
     }
-    let Some((counter, span)) = &sensor.counter else { return Ok(None) };
-    let counts = Constant::from(Rational::from(1_u64 << counter.bits));
-    let turn = sensor.quantum.as_ref().map_or(Ok(counts.clone()), |quantum| quantum.times(&counts));
-    // A plant that tells where it is has a counter that does not overflow.
-    let found = turn.ok().and_then(|turn| Some((direction(plant, output, &turn, span).ok()?, turn)));
-    Ok(found.map(|(direction, turn)| Wrap { turn, direction, span: span.clone() }))
 }
 
 /// The direction of a turn of an output, or why there is none: at the given place.

@@ -3,7 +3,8 @@
 use crate::estimator::Design;
 use crate::expr::Constant;
 use crate::generated::Generated;
-use crate::plant::Plant;
+use crate::plant::moved::besides;
+use crate::plant::{Plant, Wrap};
 use crate::program::{Field, Kind, Status};
 
 /// The fields of one step function.
@@ -178,10 +179,12 @@ fn state(plant: &Plant, name: &str) -> Option<(usize, u32)> {
     state(name).map(|state| (state, 1)).or_else(of_window)
 }
 
-/// How far a state moves with a turn of each wrapped output.
+/// How far a state moves with a turn of each wrapped output, where it is an angle: nothing else is right modulo a number.
 fn turns(plant: &Plant, state: usize) -> Vec<f64> {
-    let wraps = plant.outputs.iter().filter_map(|output| output.wrap.as_ref());
-    let moved = wraps.map(|wrap| (number(&wrap.turn) * number(&wrap.direction[state])).abs());
+    let wraps = plant.outputs.iter().enumerate().filter_map(|(o, output)| Some((o, output.wrap.as_ref()?)));
+    let angle = |o: usize, wrap: &Wrap| besides(plant, o, wrap).iter().all(|it| it.state != state || it.turns);
+    let moved = wraps.filter(|(o, wrap)| angle(*o, wrap));
+    let moved = moved.map(|(_, wrap)| (number(&wrap.turn) * number(&wrap.direction[state])).abs());
     moved.filter(|turn| *turn > 0.0).collect()
 }
 

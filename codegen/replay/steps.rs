@@ -6,6 +6,7 @@
 
 use crate::generated::Generated;
 use crate::numbers::short;
+use crate::plant::moved::notes;
 use crate::plant::{Hold, Plant};
 use crate::program::Status;
 use crate::program::interp::Interpreter;
@@ -131,6 +132,7 @@ impl<'a> Steps<'a> {
             let off = short(self.grid.off());
             remarks.push(format!("rows are {off} s (RMS) off the times of their calls, which are {h} s apart"));
         }
+        remarks.extend(notes(self.plant()));
         if negative_ages > 0 {
             remarks.push(format!(
                 "{negative_ages} samples are of a later time than their row and were treated as missing"
@@ -233,7 +235,10 @@ impl<'a> Steps<'a> {
         let share = step as f64 / gap as f64;
         let ends = previous.measurements.iter().zip(&row.measurements);
         let value = |(field, (from, to)): (&_, (&f64, &f64))| match field {
-            MeasuredKind::Sample { count: Some(count), .. } => on_line(*count, *from, *to, share),
+            MeasuredKind::Sample { count: Some(count), output } => {
+                let turns = self.plant().outputs[*output].wrap.is_some();
+                on_line(*count, turns, (*from, *to), share)
+            }
             MeasuredKind::Sample { count: None, .. } | MeasuredKind::Age { .. } => f64::NAN,
         };
         self.interface.measurements.iter().map(|field| &field.kind).zip(ends).map(value).collect()
@@ -254,8 +259,11 @@ impl<'a> Steps<'a> {
     }
 }
 
-/// The count at a share of the way from one count to another, the shorter way round.
-fn on_line(count: Count, from: f64, to: f64, share: f64) -> f64 {
+/// The count at a share of the way from one count to another; the shorter way round, where the counter turns.
+fn on_line(count: Count, turns: bool, (from, to): (f64, f64), share: f64) -> f64 {
+    if !turns {
+        return (from + share * (to - from)).round();
+    }
     let (least, most) = count.range();
     let turn = count.turn();
     let between = (from + share * fold(to - from, &[turn])).round();

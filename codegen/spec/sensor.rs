@@ -15,6 +15,41 @@ pub struct Counter {
     pub signed: bool,
 }
 
+impl Counter {
+    /// How many numbers there are until it begins again.
+    #[must_use]
+    pub fn numbers(self) -> u64 {
+        1 << self.bits
+    }
+
+    /// The least and the greatest number.
+    #[must_use]
+    pub fn range(self) -> (f64, f64) {
+        let half = if self.bits == 16 { 32_768.0 } else { 2_147_483_648.0 };
+        if self.signed { (-half, half - 1.0) } else { (0.0, 2.0 * half - 1.0) }
+    }
+}
+
+/// A jump that means nothing.
+#[derive(Clone, Debug)]
+pub enum Turn {
+    /// By this, in the output's unit.
+    Of(Quantity),
+    /// By all numbers of the integer type; the place of the word.
+    OfTheCounter(Range<usize>),
+}
+
+impl Turn {
+    /// Its place in the file.
+    #[must_use]
+    pub fn span(&self) -> Range<usize> {
+        match self {
+            Self::Of(quantity) => quantity.span(),
+            Self::OfTheCounter(span) => span.clone(),
+        }
+    }
+}
+
 /// How a sensor rounds.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Rounding {
@@ -28,8 +63,10 @@ pub enum Rounding {
 /// Keys of an output that are about its sensor.
 #[derive(Clone, Debug, Default)]
 pub struct Sensor {
-    /// A sample may jump by this, in the output's unit.
-    pub wrap: Option<Quantity>,
+    /// A sample may jump by a turn.
+    pub wrap: Option<Turn>,
+    /// Whether a turn may move what is not this output's own; the place of the key, where it is written.
+    pub turn_moves: (bool, Option<Range<usize>>),
     /// How fast the output may move, in its unit per second.
     pub max_rate: Option<Quantity>,
     /// One count, in the output's unit.
@@ -65,8 +102,10 @@ impl Sensor {
             entry.choice("rounding", &[("nearest", Rounding::Nearest), ("floor", Rounding::Floor)], Rounding::Nearest);
         let counter = entry.choice("sample", &COUNTERS, None);
         let aged = entry.choice("age", &[("none", false), ("measured", true)], false);
+        let accepted = entry.choice("turn_moves", &[("refuse", false), ("accept", true)], false);
         let sensor = Self {
-            wrap: entry.quantity("wrap"),
+            wrap: turn(entry),
+            turn_moves: (accepted, entry.has("turn_moves").then(|| entry.key_span("turn_moves"))),
             max_rate: entry.quantity("max_rate"),
             quantum: entry.quantity("quantum"),
             rounding: entry.has("rounding").then(|| (rounding, entry.key_span("rounding"))),
@@ -91,9 +130,26 @@ impl Sensor {
             }
         };
         needs("rounding", "quantum", entry.has("quantum"));
+        needs("turn_moves", "wrap", entry.has("wrap"));
         needs("gate_limit", "gate", entry.has("gate"));
         needs("age_max", "age", self.age.is_some());
     }
+}
+
+/// The key `wrap`: a size, or the word for all numbers of the integer type.
+fn turn(entry: &mut Table) -> Option<Turn> {
+    let whole = entry.has_word("wrap", "counter");
+    let turn = entry.quantity("wrap")?;
+    if !whole {
+        return Some(Turn::Of(turn));
+    }
+    if !entry.has("sample") || entry.has_word("sample", "float") {
+        let message = "`wrap = \"counter\"` is the turn of an integer, and the samples are floats";
+        let error = Diagnostic::error(codes::BAD_COMBINATION, turn.span(), message);
+        entry.report(error.help("write the turn in the output's unit, or `sample = \"u16\"` or another integer"));
+        return None;
+    }
+    Some(Turn::OfTheCounter(turn.span()))
 }
 
 /// Steps or samples: a whole number from 1 to a million, if the key is there.

@@ -45,6 +45,7 @@ mod sensors {
     mod ahead;
     mod coasted;
     mod corrector_missing;
+    mod counters;
     mod feedthrough;
     mod gate;
     mod gate_correctors;

@@ -2,7 +2,7 @@
 
 use super::Keys;
 use crate::expr::Constant;
-use crate::plant::features::{Against, Case, Feature, Limit, holds, is_coarse, nonlinear_term};
+use crate::plant::features::{Against, Case, Feature, Limit, UNTURNED, holds, is_coarse, nonlinear_term};
 
 /// The most states of a plant that is no chain of integrators.
 const MOST_STATES: usize = 3;
@@ -14,11 +14,15 @@ pub(super) const LIMITS: &[Limit] = &[
     Limit::new(
         Feature::Counter,
         "rows of samples that are there are of positions, and single precision does not hold every count of 32 bits",
-        "write `wrap`, a turn of at most 2^24 counts, or `scalar = \"f64\"`, or leave out `missing`",
+        "write `wrap`, a turn of at most 2^24 counts, a `range` within 2^24 counts of 0, or `scalar = \"f64\"`, or leave \
+         out `missing`",
     )
-    .when("of 32 bits in f32, unless `wrap` is a turn of at most 2^24 counts, where samples are left out", |case| {
-        holds(leaves_out(case) && is_coarse(case))
-    }),
+    .when(
+        "of 32 bits in f32, unless `wrap` is a turn of at most 2^24 counts or `range` within these, where samples are left \
+         out",
+        |case| holds(leaves_out(case) && is_coarse(case)),
+    ),
+    UNTURNED,
     Limit::new(Feature::Gate, "the sample is late, and no prediction of it is kept", "leave out `gate` or `delay`")
         .when("of a late output, where samples are left out", |case| {
             holds(leaves_out(case) && case.output().1.delay.is_some())

@@ -245,7 +245,7 @@ fn counters_overflow_unnoticed() {
     let text = counter();
     for sample in ["i16", "u16", "i32", "u32"] {
         let counted = edited(&text, "sample = \"i32\"", &format!("sample = \"{sample}\""));
-        let plain = edited(&text, "sample = \"i32\", ", "");
+        let plain = edited(&text, "sample = \"i32\", wrap = \"counter\", ", "");
         for scalar in [Scalar::F32, Scalar::F64] {
             let generated = designed_in(&counted, scalar);
             let from = |start: i64| fed(&generated, (0..400).map(|k| shown(start + counts(k), sample)));
@@ -294,7 +294,8 @@ fn a_large_count_has_its_angle() {
 
 fn large_count(turn: f64) {
     let count = TAU / turn;
-    let text = edited(&counter(), "quantum = 1e-6", &format!("quantum = '2*pi/{turn}', wrap = '2*pi'"));
+    let text =
+        edited(&counter(), "wrap = \"counter\", quantum = 1e-6", &format!("quantum = '2*pi/{turn}', wrap = '2*pi'"));
     let generated = designed_in(&text, Scalar::F32);
     let start = (1 << 30) + 1_234;
     let answers = fed(&generated, (0..200).map(|k| shown(start + counts(k) / 8, "i32")));

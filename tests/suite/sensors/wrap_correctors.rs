@@ -242,7 +242,7 @@ fn counters_are_angles() {
         // From just below the largest count of 32 bits; the recording goes to 10,000 counts below where it began.
         let at =
             |n: &f64| (n + 2_147_483_648.0 - 100.0 + 2_147_483_648.0).rem_euclid(4_294_967_296.0) - 2_147_483_648.0;
-        let long = through(&with(", sample = 'i32'"), counts.iter().map(at));
+        let long = through(&with(", sample = 'i32', wrap = 'counter'"), counts.iter().map(at));
         let unfolded = through(&plain, counts.iter().map(|n| n * count));
         for (what, (a, b), size) in [("u16", (&short, &angles), 100.0), ("i32", (&long, &unfolded), 3.3e6)] {
             for (i, (difference, largest)) in apart(a, b, 0).into_iter().enumerate().skip(1) {

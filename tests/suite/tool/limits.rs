@@ -84,7 +84,11 @@ fn example(method: &str, limit: &Limit, words: &str) -> [Spec; 2] {
     let sensor = |sensor| Spec { sensor, ..PLAIN };
     let keyed = |spec: Spec, keys| [Spec { keys, ..spec }, spec];
     match (method, limit.feature, words) {
-        (_, Feature::Counter, "of 32 bits in f32, unless `wrap` is a turn of at most 2^24 counts") => {
+        (
+            _,
+            Feature::Counter,
+            "of 32 bits in f32, unless `wrap` is a turn of at most 2^24 counts or `range` within these",
+        ) => {
             let plant = match method {
                 "parameters" => Spec { states: LOADED, more: LOAD, ..PLAIN },
                 _ => PLAIN,
@@ -106,9 +110,18 @@ fn example(method: &str, limit: &Limit, words: &str) -> [Spec; 2] {
         ("single-delay", Feature::Wrap, "with `form = \"continuous\"`") => {
             keyed(Spec { states: MASS, ..sensor("wrap = '2*pi'") }, "window = 0.2\nform = 'continuous'")
         }
+        (
+            "window" | "single-delay",
+            Feature::Counter,
+            "of 32 bits in f32 without `wrap`, unless `range` is within 2^24 counts of 0",
+        ) => {
+            let spec = |range| Spec { states: MASS, ..sensor(range) };
+            [spec("sample = 'i32', quantum = 1e-3"), spec("sample = 'i32', quantum = 1e-3, range = [-8e3, 8e3]")]
+        }
         ("single-delay", Feature::Counter, _) => {
             let keys = "window = 0.2\nintermittent = { min = 0.01, max = 0.02 }";
-            let spec = Spec { keys, ..sensor("sample = 'i32', quantum = 1e-3") };
+            let states = MASS;
+            let spec = Spec { keys, states, ..sensor("sample = 'i32', quantum = 1e-3, wrap = 'counter'") };
             [spec, Spec { target: "scalar = 'f64'", ..spec }]
         }
         ("parameters", Feature::Delay, "of a discrete plant, with `form = \"paper\"`") => {
@@ -131,7 +144,7 @@ fn example(method: &str, limit: &Limit, words: &str) -> [Spec; 2] {
         }
         ("window", Feature::Counter, _) => {
             let turning = "sample = 'i32', quantum = '2*pi/2156', wrap = '2*pi'";
-            ["sample = 'i32', quantum = 1e-3", turning].map(|counts| Spec {
+            ["sample = 'i32', quantum = 1e-3, wrap = 'counter'", turning].map(|counts| Spec {
                 keys: LEFT_OUT,
                 states: MASS,
                 ..sensor(counts)

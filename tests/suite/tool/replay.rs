@@ -85,7 +85,7 @@ fn count(k: i32) -> i64 {
 #[test]
 fn counters() {
     let desk = Desk::new("counters");
-    desk.write("axis.toml", &chain(", quantum = 0.001, sample = \"i16\"", WINDOW, ""));
+    desk.write("axis.toml", &chain(", quantum = 0.001, sample = \"i16\", wrap = \"counter\"", WINDOW, ""));
     let truth = |k: i32, t: f64| format!("{},{},20", count(k), 20.0 * t);
     desk.write("log.csv", &recording("t,y,position,v", |k, t| Some(truth(k, t))));
     let line = "run axis.toml --log log.csv --reference x=position";
