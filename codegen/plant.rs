@@ -213,6 +213,8 @@ pub struct Plant {
     pub coasted: bool,
     /// Whether an observer can be started from an estimate.
     pub init_at: bool,
+    /// Whether a state that is vouched for there is exact; else it is off by the printed bound at most.
+    pub exact_start: bool,
     /// Of the observer's name in the file, for mistakes of the whole.
     pub span: Range<usize>,
 }

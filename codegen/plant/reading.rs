@@ -118,6 +118,7 @@ impl<'a> Reading<'a> {
             jitter: jitter?,
             coasted: spec.target.coasted || sensors.iter().any(|s| s.gate.is_some() || s.aged.is_some()),
             init_at: spec.target.init_at,
+            exact_start: spec.target.exact_start,
             span: spec.observer.method.span.clone(),
         };
         self.with_turns(plant, &sensors)
