@@ -66,6 +66,15 @@ pub struct State {
     pub equation: String,
 }
 
+/// How well a state is known that the caller vouches for in a start.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Vouched {
+    /// It is off by the printed bound at most.
+    Bounded,
+    /// It is exact.
+    Exact,
+}
+
 /// A known input.
 #[derive(Clone, Debug)]
 pub struct Input {
@@ -213,8 +222,8 @@ pub struct Plant {
     pub coasted: bool,
     /// Whether an observer can be started from an estimate.
     pub init_at: bool,
-    /// Whether a state that is vouched for there is exact; else it is off by the printed bound at most.
-    pub exact_start: bool,
+    /// How well a state is known that is vouched for there.
+    pub vouched: Vouched,
     /// Of the observer's name in the file, for mistakes of the whole.
     pub span: Range<usize>,
 }

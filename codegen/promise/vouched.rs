@@ -9,7 +9,7 @@ use nalgebra::{DMatrix, DVector};
 use super::Certificate;
 use super::kernel::Kernel;
 use crate::expr::Symbol;
-use crate::plant::{Injection, Plant};
+use crate::plant::{Injection, Plant, Vouched};
 
 /// How long a state that was vouched for is within the bound.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,11 +54,11 @@ impl Run {
             return Trust::Always;
         }
         // Terms of the call before are then of outputs that are off by as much as the given state shows.
-        let through = !plant.exact_start && plant.injections.iter().any(depends_on_states);
+        let through = plant.vouched == Vouched::Bounded && plant.injections.iter().any(depends_on_states);
         let bounded = bounds.iter().any(Option::is_some) && !through;
         let Some(kernel) = Kernel::new(plant).filter(|_| bounded) else { return Trust::Calls(0) };
         let off = DVector::from_iterator(bounds.len(), bounds.iter().map(|bound| bound.unwrap_or(0.0)));
-        let off = if plant.exact_start { off * 0.0 } else { off };
+        let off = if plant.vouched == Vouched::Exact { off * 0.0 } else { off };
         let levels: Vec<f64> = plant.disturbances.iter().map(|d| d.bound.to_f64().unwrap_or(f64::INFINITY)).collect();
         let (mut rows, mut entered) = (self.shown.clone(), DVector::<f64>::zeros(bounds.len()));
         let mut gains = DMatrix::zeros(bounds.len(), levels.len());
