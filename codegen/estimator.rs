@@ -60,11 +60,11 @@ pub struct Design {
 
 /// How an estimate comes from samples. It knows nothing of sensors: what is read, guarded and reported is the step's.
 pub trait Estimator: Any + Debug + Send + Sync {
-    /// The step as a Program; `ahead` moves its answer.
+    /// The step as a Program; `ahead` moves its answer, and what is `promised` says how long a given state is trusted.
     ///
     /// # Errors
     /// Constants that the target's floats cannot hold.
-    fn lower(&self, plant: &Plant, ahead: Option<&Ahead>) -> Result<Program, Vec<Diagnostic>>;
+    fn lower(&self, plant: &Plant, ahead: Option<&Ahead>, promised: &Certificate) -> Result<Program, Vec<Diagnostic>>;
 
     /// How nonlinear terms are taken to run between samples.
     fn between(&self) -> Between {

@@ -98,7 +98,7 @@ impl Generator {
         if let Some(ahead) = &ahead {
             design.moved(&plant, ahead);
         }
-        let program = design.estimator.lower(&plant, ahead.as_ref()).map_err(report)?;
+        let program = design.estimator.lower(&plant, ahead.as_ref(), &design.certificate).map_err(report)?;
         if let Err(error) = program::check::check(&program) {
             unreachable!("a lowering made an invalid Program: {error}");
         }

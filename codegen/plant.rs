@@ -68,6 +68,15 @@ pub struct State {
     pub equation: String,
 }
 
+/// How well a state is known that the caller vouches for in a start.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Vouched {
+    /// It is off by the printed bound at most.
+    Bounded,
+    /// It is exact.
+    Exact,
+}
+
 /// A known input.
 #[derive(Clone, Debug)]
 pub struct Input {
@@ -224,6 +233,8 @@ pub struct Plant {
     pub coasted: bool,
     /// Whether an observer can be started from an estimate.
     pub init_at: bool,
+    /// How well a state is known that is vouched for there.
+    pub vouched: Vouched,
     /// Of the observer's name in the file, for mistakes of the whole.
     pub span: Range<usize>,
 }

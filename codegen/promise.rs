@@ -4,6 +4,7 @@
 
 pub mod kernel;
 pub mod one_count;
+pub mod vouched;
 
 /// A matrix of the design under the field's letter, row-major.
 #[derive(Clone, Debug)]

@@ -176,6 +176,8 @@ pub struct Target {
     pub coasted: bool,
     /// Whether an observer can be started from an estimate.
     pub init_at: bool,
+    /// Whether a state that is vouched for there is exact.
+    pub exact_start: bool,
 }
 
 /// What the command line, the macro's arguments and `[target]` can all say.

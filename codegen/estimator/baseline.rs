@@ -16,6 +16,7 @@ use crate::numbers::count;
 use crate::plant::Plant;
 use crate::plant::features::{Feature, Limit, POSITIONS};
 use crate::program::Program;
+use crate::promise::Certificate;
 use crate::sampled::settled::Settled;
 use crate::step::ahead::Ahead;
 
@@ -154,7 +155,7 @@ impl AdaptiveWindow {
 }
 
 impl Estimator for Baseline {
-    fn lower(&self, plant: &Plant, ahead: Option<&Ahead>) -> Result<Program, Vec<Diagnostic>> {
+    fn lower(&self, plant: &Plant, ahead: Option<&Ahead>, _promised: &Certificate) -> Result<Program, Vec<Diagnostic>> {
         lower::lower(plant, self, ahead)
     }
 

@@ -106,8 +106,8 @@ pub struct Impulsive {
 }
 
 impl Estimator for Impulsive {
-    fn lower(&self, plant: &Plant, ahead: Option<&Ahead>) -> Result<Program, Vec<Diagnostic>> {
-        lower::lower(plant, self, ahead)
+    fn lower(&self, plant: &Plant, ahead: Option<&Ahead>, promised: &Certificate) -> Result<Program, Vec<Diagnostic>> {
+        lower::lower(plant, self, ahead, promised)
     }
 
     fn between(&self) -> Between {

@@ -241,7 +241,7 @@ pub struct Corrector {
 }
 
 impl Estimator for Corrector {
-    fn lower(&self, plant: &Plant, ahead: Option<&Ahead>) -> Result<Program, Vec<Diagnostic>> {
+    fn lower(&self, plant: &Plant, ahead: Option<&Ahead>, _promised: &Certificate) -> Result<Program, Vec<Diagnostic>> {
         lower::lower(plant, self, ahead)
     }
 

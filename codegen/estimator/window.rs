@@ -135,8 +135,8 @@ pub struct Prediction {
 }
 
 impl Estimator for Functional {
-    fn lower(&self, plant: &Plant, ahead: Option<&Ahead>) -> Result<Program, Vec<Diagnostic>> {
-        lower::lower(plant, self, ahead)
+    fn lower(&self, plant: &Plant, ahead: Option<&Ahead>, promised: &Certificate) -> Result<Program, Vec<Diagnostic>> {
+        lower::lower(plant, self, ahead, promised)
     }
 
     fn between(&self) -> Between {

@@ -12,7 +12,9 @@ use super::expression::{exists, read_constant, read_expression};
 use super::measurable::Measurable;
 use super::outputs::{Shown, plain_output};
 use super::sensor::Sensor;
-use super::{Disturbance, Injection, Input, Label, Output, Parameter, Plant, State, Unknown, combine, split, words};
+use super::{
+    Disturbance, Injection, Input, Label, Output, Parameter, Plant, State, Unknown, Vouched, combine, split, words,
+};
 
 /// Most states, inputs or outputs of a plant.
 const MOST: usize = 256;
@@ -118,6 +120,7 @@ impl<'a> Reading<'a> {
             jitter: jitter?,
             coasted: spec.target.coasted || sensors.iter().any(|s| s.gate.is_some() || s.aged.is_some()),
             init_at: spec.target.init_at,
+            vouched: if spec.target.exact_start { Vouched::Exact } else { Vouched::Bounded },
             span: spec.observer.method.span.clone(),
         };
         self.with_turns(plant, &sensors)

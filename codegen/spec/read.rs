@@ -359,7 +359,9 @@ fn read_target(top: &mut Table) -> Option<Target> {
     }
     let scalar = table.choice("scalar", &[("f32", Scalar::F32), ("f64", Scalar::F64)], Scalar::F32);
     let jitter = table.quantity("jitter");
-    let [coasted, init_at] = ["coasted", "init_at"].map(|key| table.flag(key).unwrap_or(false));
+    let coasted = table.flag("coasted").unwrap_or(false);
+    let exact_start = table.has_text("init_at") && table.choice("init_at", &[("exact", true)], false);
+    let init_at = exact_start || table.flag("init_at").unwrap_or(false);
     table.finish();
-    Some(Target { sample_time: sample_time?, scalar, jitter, coasted, init_at })
+    Some(Target { sample_time: sample_time?, scalar, jitter, coasted, init_at, exact_start })
 }

@@ -6,6 +6,7 @@
 use crate::plant::Plant;
 use crate::program::builder::Builder;
 use crate::program::{CellId, Value, place};
+use crate::promise::vouched::Trust;
 use crate::sampled::Source;
 use crate::sampled::settled::round;
 
@@ -14,40 +15,75 @@ use super::injections::{Moment, Samples, initial_output};
 use super::logic::all;
 use super::sensors::Sensors;
 
-/// How long a given state is what is known: a cell that is 0, or 1 while it is, or 2 where the caller vouched for it.
+/// How long a given state is what is known: a cell that is 0, or 1 while it is, or 2 where the caller vouched for it, and
+/// more by the calls for which the printed bound still holds, where that ends.
 #[derive(Clone, Copy)]
-pub(crate) struct Running(CellId);
+pub(crate) struct Running {
+    cell: CellId,
+    trust: Trust,
+}
 
 impl Running {
-    /// Declares the cell; `doc` says until when.
-    pub(crate) fn declare(b: &mut Builder, doc: &str) -> Self {
-        Self(b.index_cell("given", doc, 0))
+    /// Declares the cell; `until` says how long the given state is what is known.
+    pub(crate) fn declare(b: &mut Builder, until: &str, trust: Trust) -> Self {
+        let more = match trust {
+            Trust::Always | Trust::Calls(0) => "",
+            Trust::Calls(_) => ", and more by the calls in which the bound still holds",
+        };
+        let doc = format!("1 {until}, 2 if that was vouched for{more}");
+        Self { cell: b.index_cell("given", &doc, 0), trust }
+    }
+
+    /// Whether the bound may end to hold before there is something better.
+    pub(crate) fn ends(self) -> bool {
+        self.trust.ends()
     }
 
     /// Whether the last call had nothing better.
     pub(crate) fn active(self, b: &mut Builder) -> Value {
-        let (running, none) = (b.read(self.0), b.index(0));
+        let (running, none) = (b.read(self.cell), b.index(0));
         b.index_less(none, running)
     }
 
     /// Whether the caller vouched for it.
     pub(crate) fn vouched(self, b: &mut Builder) -> Value {
-        let (running, one) = (b.read(self.0), b.index(1));
+        let (running, one) = (b.read(self.cell), b.index(1));
         b.index_less(one, running)
+    }
+
+    /// Whether it was vouched for, and the bound holds at this call.
+    pub(crate) fn promised(self, b: &mut Builder) -> Value {
+        match self.trust {
+            Trust::Always => self.vouched(b),
+            Trust::Calls(0) => b.boolean(false),
+            Trust::Calls(_) => {
+                let (running, two) = (b.read(self.cell), b.index(2));
+                b.index_less(two, running)
+            }
+        }
     }
 
     /// Keeps it for the next call where it is still active.
     pub(crate) fn keep(self, b: &mut Builder, active: Value) {
-        let (running, none) = (b.read(self.0), b.index(0));
+        let none = b.index(0);
+        let mut running = b.read(self.cell);
+        if matches!(self.trust, Trust::Calls(1..)) {
+            let (promised, fewer) = (self.promised(b), b.count_down(running));
+            running = b.select(promised, fewer, running);
+        }
         let kept = b.select(active, running, none);
-        b.set(self.0, kept);
+        b.set(self.cell, kept);
     }
 
     /// In a start: trusted, where the caller vouches.
     pub(crate) fn begin(self, b: &mut Builder, vouched: Value) {
-        let (one, two) = (b.index(1), b.index(2));
-        let running = b.select(vouched, two, one);
-        b.set(self.0, running);
+        let calls = match self.trust {
+            Trust::Always => 0,
+            Trust::Calls(calls) => calls,
+        };
+        let (one, trusted) = (b.index(1), b.index(2 + calls));
+        let running = b.select(vouched, trusted, one);
+        b.set(self.cell, running);
     }
 }
 

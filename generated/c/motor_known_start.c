@@ -535,14 +535,14 @@ typedef struct {
     float t75;
     float t89;
     uint32_t t90;
-    float t162;
     float t164;
     float t166;
-    float t183;
-    float t185;
-    float t187;
-    motor_known_start_status t195;
-    int flags[2]; /* t97, t98 */
+    float t168;
+    float t188;
+    float t190;
+    float t192;
+    motor_known_start_status t204;
+    int flags[3]; /* t97, t98, t100 */
 } motor_known_start_work;
 
 /* Part 1 of a step. */
@@ -641,6 +641,7 @@ static void motor_known_start_part_2(motor_known_start_state *state, motor_known
     const int t96 = (-1e35f <= work->t89) && (work->t89 <= 1e35f);
     work->flags[0] = t95 && t96;
     work->flags[1] = 1U < work->t90;
+    work->flags[2] = 2U < work->t90;
 
     /* into the window */
     state->newest = work->t11;
@@ -653,8 +654,6 @@ static void motor_known_start_part_2(motor_known_start_state *state, motor_known
 static void motor_known_start_part_3(motor_known_start_state *state, motor_known_start_work *work)
 {
     /* the sums over the window, newest sample first */
-    float t100 = 0.0f;
-    float t101 = 0.0f;
     float t102 = 0.0f;
     float t103 = 0.0f;
     float t104 = 0.0f;
@@ -662,109 +661,118 @@ static void motor_known_start_part_3(motor_known_start_state *state, motor_known
     float t106 = 0.0f;
     float t107 = 0.0f;
     float t108 = 0.0f;
-    uint32_t t109 = work->t11;
+    float t109 = 0.0f;
+    float t110 = 0.0f;
+    uint32_t t111 = work->t11;
     for (uint32_t row = 0U; row < 40U; ++row) {
         const float *const gains = MOTOR_KNOWN_START_WINDOW[row];
-        const float t110 = state->y[t109];
-        const float t111 = gains[0];
-        const float t112 = t111 * t110;
-        const float t113 = t100 + t112;
-        const float t114 = gains[1];
-        const float t115 = t114 * t110;
-        const float t116 = t103 + t115;
-        const float t117 = gains[2];
-        const float t118 = t117 * t110;
-        const float t119 = t106 + t118;
-        const float t120 = state->u[t109];
-        const float t121 = gains[3];
-        const float t122 = t121 * t120;
-        const float t123 = t101 + t122;
-        const float t124 = gains[4];
-        const float t125 = t124 * t120;
-        const float t126 = t104 + t125;
-        const float t127 = gains[5];
-        const float t128 = t127 * t120;
-        const float t129 = t107 + t128;
-        const float t130 = state->sin_q[t109];
-        const float t131 = gains[6];
-        const float t132 = t131 * t130;
-        const float t133 = t102 + t132;
-        const float t134 = gains[7];
-        const float t135 = t134 * t130;
-        const float t136 = t105 + t135;
-        const float t137 = gains[8];
-        const float t138 = t137 * t130;
-        const float t139 = t108 + t138;
-        const uint32_t t140 = ((t109 >= 1U) && (t109 < 41U)) ? (t109 - 1U) : 40U;
-        t100 = t113;
-        t101 = t123;
-        t102 = t133;
-        t103 = t116;
-        t104 = t126;
-        t105 = t136;
-        t106 = t119;
-        t107 = t129;
-        t108 = t139;
-        t109 = t140;
+        const float t112 = state->y[t111];
+        const float t113 = gains[0];
+        const float t114 = t113 * t112;
+        const float t115 = t102 + t114;
+        const float t116 = gains[1];
+        const float t117 = t116 * t112;
+        const float t118 = t105 + t117;
+        const float t119 = gains[2];
+        const float t120 = t119 * t112;
+        const float t121 = t108 + t120;
+        const float t122 = state->u[t111];
+        const float t123 = gains[3];
+        const float t124 = t123 * t122;
+        const float t125 = t103 + t124;
+        const float t126 = gains[4];
+        const float t127 = t126 * t122;
+        const float t128 = t106 + t127;
+        const float t129 = gains[5];
+        const float t130 = t129 * t122;
+        const float t131 = t109 + t130;
+        const float t132 = state->sin_q[t111];
+        const float t133 = gains[6];
+        const float t134 = t133 * t132;
+        const float t135 = t104 + t134;
+        const float t136 = gains[7];
+        const float t137 = t136 * t132;
+        const float t138 = t107 + t137;
+        const float t139 = gains[8];
+        const float t140 = t139 * t132;
+        const float t141 = t110 + t140;
+        const uint32_t t142 = ((t111 >= 1U) && (t111 < 41U)) ? (t111 - 1U) : 40U;
+        t102 = t115;
+        t103 = t125;
+        t104 = t135;
+        t105 = t118;
+        t106 = t128;
+        t107 = t138;
+        t108 = t121;
+        t109 = t131;
+        t110 = t141;
+        t111 = t142;
     }
-    const float t141 = state->y[t109];
-    const float t143 = 0.04603194f * t141;
-    const float t144 = t100 + t143;
-    const float t146 = 4.634631f * t141;
-    const float t147 = t103 + t146;
-    const float t149 = -0.32029396f * t141;
-    const float t150 = t106 + t149;
-    const float t151 = state->sin_q[t109];
-    const float t153 = 2.685792e-7f * t151;
-    const float t154 = t102 + t153;
-    const float t156 = 2.7041346e-5f * t151;
-    const float t157 = t105 + t156;
-    const float t159 = -1.8687958e-6f * t151;
-    const float t160 = t108 + t159;
-    const float t161 = t144 + t101;
-    work->t162 = t161 + t154;
-    const float t163 = t147 + t104;
-    work->t164 = t163 + t157;
-    const float t165 = t150 + t107;
-    work->t166 = t165 + t160;
+    const float t143 = state->y[t111];
+    const float t145 = 0.04603194f * t143;
+    const float t146 = t102 + t145;
+    const float t148 = 4.634631f * t143;
+    const float t149 = t105 + t148;
+    const float t151 = -0.32029396f * t143;
+    const float t152 = t108 + t151;
+    const float t153 = state->sin_q[t111];
+    const float t155 = 2.685792e-7f * t153;
+    const float t156 = t104 + t155;
+    const float t158 = 2.7041346e-5f * t153;
+    const float t159 = t107 + t158;
+    const float t161 = -1.8687958e-6f * t153;
+    const float t162 = t110 + t161;
+    const float t163 = t146 + t103;
+    work->t164 = t163 + t156;
+    const float t165 = t149 + t106;
+    work->t166 = t165 + t159;
+    const float t167 = t152 + t109;
+    work->t168 = t167 + t162;
 
     /* the next measurement, as far as it is known */
-    const float t167 = 0.0009994135f * work->t164;
-    const float t168 = 7.021338e-6f * work->t166;
-    const float t170 = -1.7493403e-5f * work->t21;
-    const float t171 = work->t162 + t167;
-    const float t172 = t171 + t168;
-    const float t173 = t172 + t170;
-    state->ahead_y = t173;
+    const float t169 = 0.0009994135f * work->t166;
+    const float t170 = 7.021338e-6f * work->t168;
+    const float t172 = -1.7493403e-5f * work->t21;
+    const float t173 = work->t164 + t169;
+    const float t174 = t173 + t170;
+    const float t175 = t174 + t172;
+    state->ahead_y = t175;
 }
 
 /* Part 4 of a step. */
 static void motor_known_start_part_4(motor_known_start_state *state, motor_known_start_work *work)
 {
     /* the estimate; until the window is full, the start */
-    const int t174 = 40U < work->t39;
-    const int t175 = !t174;
-    const int t176 = work->flags[0] && t175;
-    const int t177 = t176 && work->flags[1];
-    const uint32_t t178 = t176 ? work->t90 : 0U;
-    state->given = t178;
-    const float t179 = t176 ? work->t61 : 0.0f;
-    state->given_q = t179;
-    const float t180 = t176 ? work->t75 : 0.0f;
-    state->given_dq = t180;
-    const float t181 = t176 ? work->t89 : 0.0f;
-    state->given_i = t181;
-    const float t182 = t174 ? work->t162 : work->t32;
-    work->t183 = t176 ? work->t61 : t182;
-    const float t184 = t174 ? work->t164 : 0.0f;
-    work->t185 = t176 ? work->t75 : t184;
-    const float t186 = t174 ? work->t166 : 0.0f;
-    work->t187 = t176 ? work->t89 : t186;
-    const uint32_t t188 = state->coasting;
-    const int t189 = t188 == 0U;
-    const int t190 = t174 || t177;
-    const motor_known_start_status t194 = t189 ? MOTOR_KNOWN_START_CONVERGED : MOTOR_KNOWN_START_COASTING;
-    work->t195 = t190 ? t194 : MOTOR_KNOWN_START_CONVERGING;
+    const int t176 = 40U < work->t39;
+    const int t177 = !t176;
+    const int t178 = work->flags[0] && t177;
+    const int t179 = t178 && work->flags[1];
+    const int t180 = t178 && work->flags[2];
+    const uint32_t t181 = (work->t90 > 0U) ? (work->t90 - 1U) : 0U;
+    const uint32_t t182 = work->flags[2] ? t181 : work->t90;
+    const uint32_t t183 = t178 ? t182 : 0U;
+    state->given = t183;
+    const float t184 = t178 ? work->t61 : 0.0f;
+    state->given_q = t184;
+    const float t185 = t178 ? work->t75 : 0.0f;
+    state->given_dq = t185;
+    const float t186 = t178 ? work->t89 : 0.0f;
+    state->given_i = t186;
+    const float t187 = t176 ? work->t164 : work->t32;
+    work->t188 = t178 ? work->t61 : t187;
+    const float t189 = t176 ? work->t166 : 0.0f;
+    work->t190 = t178 ? work->t75 : t189;
+    const float t191 = t176 ? work->t168 : 0.0f;
+    work->t192 = t178 ? work->t89 : t191;
+    const uint32_t t193 = state->coasting;
+    const int t194 = t193 == 0U;
+    const int t195 = !t178;
+    const int t196 = t195 && t176;
+    const int t197 = t196 || t180;
+    const int t198 = t197 && t194;
+    const int t199 = t176 || t179;
+    const motor_known_start_status t203 = t198 ? MOTOR_KNOWN_START_CONVERGED : MOTOR_KNOWN_START_COASTING;
+    work->t204 = t199 ? t203 : MOTOR_KNOWN_START_CONVERGING;
 }
 
 void motor_known_start_init(motor_known_start_state *state)
@@ -792,33 +800,33 @@ void motor_known_start_init_at(motor_known_start_state *state, const motor_known
 {
     motor_known_start_init(state);
     /* the given state */
-    const int t196 = estimate->status == MOTOR_KNOWN_START_CONVERGED;
-    const float t197 = estimate->q;
-    const int t198 = (-1e35f <= t197) && (t197 <= 1e35f);
-    const float t200 = t198 ? t197 : 0.0f;
-    const float t201 = estimate->dq;
-    const int t202 = (-1e35f <= t201) && (t201 <= 1e35f);
-    const float t203 = t202 ? t201 : 0.0f;
-    const float t204 = estimate->i;
-    const int t205 = (-1e35f <= t204) && (t204 <= 1e35f);
-    const float t206 = t205 ? t204 : 0.0f;
-    const int t207 = t196 && t198;
-    const int t208 = t207 && t202;
-    const int t209 = t208 && t205;
-    state->given_q = t200;
-    state->given_dq = t203;
-    state->given_i = t206;
-    const uint32_t t212 = t209 ? 2U : 1U;
-    state->given = t212;
+    const int t205 = estimate->status == MOTOR_KNOWN_START_CONVERGED;
+    const float t206 = estimate->q;
+    const int t207 = (-1e35f <= t206) && (t206 <= 1e35f);
+    const float t209 = t207 ? t206 : 0.0f;
+    const float t210 = estimate->dq;
+    const int t211 = (-1e35f <= t210) && (t210 <= 1e35f);
+    const float t212 = t211 ? t210 : 0.0f;
+    const float t213 = estimate->i;
+    const int t214 = (-1e35f <= t213) && (t213 <= 1e35f);
+    const float t215 = t214 ? t213 : 0.0f;
+    const int t216 = t205 && t207;
+    const int t217 = t216 && t211;
+    const int t218 = t217 && t214;
+    state->given_q = t209;
+    state->given_dq = t212;
+    state->given_i = t215;
+    const uint32_t t221 = t218 ? 43U : 1U;
+    state->given = t221;
 
     /* what it shows, and what that makes of the nonlinear terms */
-    const int t214 = (-1e35f <= t200) && (t200 <= 1e35f);
-    const float t215 = t214 ? t200 : 0.0f;
-    state->y[40U] = t215;
-    const float t216 = motor_known_start_sin_f32(t215);
-    const int t217 = (-1e35f <= t216) && (t216 <= 1e35f);
-    const float t218 = t217 ? t216 : 0.0f;
-    state->sin_q[40U] = t218;
+    const int t223 = (-1e35f <= t209) && (t209 <= 1e35f);
+    const float t224 = t223 ? t209 : 0.0f;
+    state->y[40U] = t224;
+    const float t225 = motor_known_start_sin_f32(t224);
+    const int t226 = (-1e35f <= t225) && (t225 <= 1e35f);
+    const float t227 = t226 ? t225 : 0.0f;
+    state->sin_q[40U] = t227;
 }
 
 void motor_known_start_step(motor_known_start_state *state, const motor_known_start_measurements *measurements,
@@ -830,8 +838,8 @@ void motor_known_start_step(motor_known_start_state *state, const motor_known_st
     motor_known_start_part_3(state, &work);
     motor_known_start_part_4(state, &work);
 
-    estimate->q = work.t183;
-    estimate->dq = work.t185;
-    estimate->i = work.t187;
-    estimate->status = work.t195;
+    estimate->q = work.t188;
+    estimate->dq = work.t190;
+    estimate->i = work.t192;
+    estimate->status = work.t204;
 }

@@ -360,8 +360,8 @@ typedef struct {
     float t59;
     float t67;
     float t68;
-    float t111;
-    pendulum_known_start_status t116;
+    float t117;
+    pendulum_known_start_status t122;
     int flags[6]; /* t2, t5, t8, t33, t57, t70 */
 } pendulum_known_start_work;
 
@@ -470,27 +470,33 @@ static void pendulum_known_start_part_2(pendulum_known_start_state *state, pendu
     const int t99 = t97 && t98;
     const int t100 = 1U < work->t3;
     const int t101 = t99 && t100;
-    const uint32_t t102 = t99 ? work->t3 : 0U;
-    state->given = t102;
+    const int t102 = 2U < work->t3;
+    const int t103 = t99 && t102;
+    const uint32_t t104 = (work->t3 > 0U) ? (work->t3 - 1U) : 0U;
+    const uint32_t t105 = t102 ? t104 : work->t3;
+    const uint32_t t106 = t99 ? t105 : 0U;
+    state->given = t106;
 
     /* for the next call */
-    const float t104 = t99 ? work->t42 : 0.0f;
-    const float t105 = t90 ? t104 : work->t67;
-    const float t106 = t104 + work->t59;
-    const float t107 = t90 ? t106 : work->t68;
-    state->z1_omega = t105;
-    state->z2_omega = t107;
-    const uint32_t t108 = t90 ? 0U : work->t56;
-    state->phase = t108;
+    const float t108 = t99 ? work->t42 : 0.0f;
+    const float t109 = t90 ? t108 : work->t67;
+    const float t110 = t108 + work->t59;
+    const float t111 = t90 ? t110 : work->t68;
+    state->z1_omega = t109;
+    state->z2_omega = t111;
+    const uint32_t t112 = t90 ? 0U : work->t56;
+    state->phase = t112;
     state->theta_1 = work->t34;
     state->sin_theta_1 = work->t25;
-    const int t109 = t91 || t99;
-    const int t110 = t91 || t101;
+    const int t113 = t91 || t99;
+    const int t114 = t91 || t101;
+    const int t115 = t91 || t103;
+    const int t116 = t115 && t88;
 
     /* the estimate; until it has converged, the start */
-    work->t111 = t109 ? t105 : 0.0f;
-    const pendulum_known_start_status t115 = t88 ? PENDULUM_KNOWN_START_CONVERGED : PENDULUM_KNOWN_START_COASTING;
-    work->t116 = t110 ? t115 : PENDULUM_KNOWN_START_CONVERGING;
+    work->t117 = t113 ? t109 : 0.0f;
+    const pendulum_known_start_status t121 = t116 ? PENDULUM_KNOWN_START_CONVERGED : PENDULUM_KNOWN_START_COASTING;
+    work->t122 = t114 ? t121 : PENDULUM_KNOWN_START_CONVERGING;
 }
 
 void pendulum_known_start_init(pendulum_known_start_state *state)
@@ -510,29 +516,29 @@ void pendulum_known_start_init_at(pendulum_known_start_state *state, const pendu
 {
     pendulum_known_start_init(state);
     /* the given state */
-    const int t117 = estimate->status == PENDULUM_KNOWN_START_CONVERGED;
-    const float t118 = estimate->theta;
-    const int t119 = (-1e34f <= t118) && (t118 <= 1e34f);
-    const float t121 = t119 ? t118 : 0.0f;
-    const float t122 = estimate->omega;
-    const int t123 = (-1e34f <= t122) && (t122 <= 1e34f);
-    const float t124 = t123 ? t122 : 0.0f;
-    const int t125 = t117 && t119;
-    const int t126 = t125 && t123;
-    const int t127 = (-8.684609e35f <= t124) && (t124 <= 8.684609e35f);
-    const float t128 = t127 ? t124 : 0.0f;
-    state->z1_omega = t128;
-    const uint32_t t131 = t126 ? 2U : 1U;
-    state->given = t131;
+    const int t123 = estimate->status == PENDULUM_KNOWN_START_CONVERGED;
+    const float t124 = estimate->theta;
+    const int t125 = (-1e34f <= t124) && (t124 <= 1e34f);
+    const float t127 = t125 ? t124 : 0.0f;
+    const float t128 = estimate->omega;
+    const int t129 = (-1e34f <= t128) && (t128 <= 1e34f);
+    const float t130 = t129 ? t128 : 0.0f;
+    const int t131 = t123 && t125;
+    const int t132 = t131 && t129;
+    const int t133 = (-8.684609e35f <= t130) && (t130 <= 8.684609e35f);
+    const float t134 = t133 ? t130 : 0.0f;
+    state->z1_omega = t134;
+    const uint32_t t137 = t132 ? 52U : 1U;
+    state->given = t137;
 
     /* what it shows, and what that makes of the nonlinear terms */
-    const int t132 = (-1e34f <= t121) && (t121 <= 1e34f);
-    const float t133 = t132 ? t121 : 0.0f;
-    state->theta_1 = t133;
-    const float t134 = pendulum_known_start_sin_f32(t133);
-    const int t135 = (-1e34f <= t134) && (t134 <= 1e34f);
-    const float t136 = t135 ? t134 : 0.0f;
-    state->sin_theta_1 = t136;
+    const int t138 = (-1e34f <= t127) && (t127 <= 1e34f);
+    const float t139 = t138 ? t127 : 0.0f;
+    state->theta_1 = t139;
+    const float t140 = pendulum_known_start_sin_f32(t139);
+    const int t141 = (-1e34f <= t140) && (t140 <= 1e34f);
+    const float t142 = t141 ? t140 : 0.0f;
+    state->sin_theta_1 = t142;
 }
 
 void pendulum_known_start_step(pendulum_known_start_state *state, const pendulum_known_start_measurements *measurements,
@@ -543,6 +549,6 @@ void pendulum_known_start_step(pendulum_known_start_state *state, const pendulum
     pendulum_known_start_part_2(state, &work);
 
     estimate->theta = work.t34;
-    estimate->omega = work.t111;
-    estimate->status = work.t116;
+    estimate->omega = work.t117;
+    estimate->status = work.t122;
 }

@@ -56,6 +56,7 @@ mod sensors {
     mod rates;
     mod several_rates;
     mod several_rates_kalman;
+    mod vouched;
     mod wrap;
     mod wrap_correctors;
     mod wrap_resets;

@@ -180,7 +180,7 @@ mod tests {
             let (plant, design) = designed(&text).unwrap();
             let shape = design.estimator.downcast_ref::<Impulsive>().unwrap();
             let (_, guard) = Bounds::new(&plant, shape).unwrap();
-            let program = design.estimator.lower(&plant, None).unwrap();
+            let program = design.estimator.lower(&plant, None, &design.certificate).unwrap();
             let mut interpreter = crate::program::interp::Interpreter::new(&program);
             let bound = guard.bound;
             let mut estimate = [0.0; 2];

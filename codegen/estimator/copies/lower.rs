@@ -29,6 +29,7 @@ use crate::diagnostic::Diagnostic;
 use crate::plant::Plant;
 use crate::program::builder::Builder;
 use crate::program::{Program, Value};
+use crate::promise::Certificate;
 use crate::sampled::settled::round;
 use crate::sampled::weights::{self, products, push_products};
 use crate::step::ahead::Ahead;
@@ -43,11 +44,17 @@ use cells::Cells;
 use turn::Turned;
 
 /// Lowers a design for its plant; constants that the target's floats cannot hold are reported.
-pub fn lower(plant: &Plant, design: &Impulsive, ahead: Option<&Ahead>) -> Result<Program, Vec<Diagnostic>> {
+pub fn lower(
+    plant: &Plant,
+    design: &Impulsive,
+    ahead: Option<&Ahead>,
+    promised: &Certificate,
+) -> Result<Program, Vec<Diagnostic>> {
     let (bounds, guard) = Bounds::new(plant, design)?;
     injections::check(plant)?;
     let mut builder = Builder::new(&plant.name, plant.scalar, round(&plant.sample_time.0, plant.scalar));
-    let (cells, sensors) = cells::declare(&mut builder, plant, design, guard);
+    let trust = plant.init_at.then(|| given::trust(plant, design, promised));
+    let (cells, sensors) = cells::declare(&mut builder, plant, design, (guard, trust));
     sensors::declare(&mut builder, plant);
     let mut lowering = Lowering { plant, design, bounds, builder, cells, sensors, ahead };
     lowering.step();

@@ -28,6 +28,7 @@ use crate::diagnostic::Diagnostic;
 use crate::plant::Plant;
 use crate::program::builder::Builder;
 use crate::program::{Program, Value};
+use crate::promise::Certificate;
 use crate::sampled::carry::Carry;
 use crate::sampled::settled::{Settled, round};
 use crate::step::ahead::Ahead;
@@ -48,14 +49,23 @@ use sums::Anchor;
 use there::There;
 
 /// Lowers a functional for its plant; constants that the target's floats cannot hold are reported.
-pub fn lower(plant: &Plant, functional: &Functional, ahead: Option<&Ahead>) -> Result<Program, Vec<Diagnostic>> {
+pub fn lower(
+    plant: &Plant,
+    functional: &Functional,
+    ahead: Option<&Ahead>,
+    promised: &Certificate,
+) -> Result<Program, Vec<Diagnostic>> {
     let carry = plant.init_at.then(|| Carry::new(plant, &functional.signals)).transpose()?;
     let linear = carry.as_ref().map_or(0.0, Carry::gain);
     let guard = guard::bound(plant, functional, Growth { linear, ..Growth::default() })?;
     injections::check(plant)?;
     let mut lowering = Lowering::new(plant, functional, guard);
     lowering.ahead = ahead;
-    lowering.given = carry.map(|carry| Given::declare(&mut lowering.builder, plant, carry));
+    lowering.given = carry.map(|carry| {
+        let taken = given::taken(plant, functional);
+        let trust = given::trust(plant, functional, (&carry, &taken), promised);
+        Given::declare(&mut lowering.builder, plant, (carry, taken), trust)
+    });
     lowering.step();
     lowering.init_at(|_, _| {});
     Ok(lowering.builder.finish())
@@ -244,6 +254,11 @@ pub(crate) fn window_len(functional: &Functional) -> u32 {
 /// Samples that the rings hold: N+1 of the longest window.
 pub(crate) fn kept_len(functional: &Functional) -> u32 {
     index(functional.longest() + 1)
+}
+
+/// Calls until samples determine the estimate of the longest window, if none is lost.
+pub(crate) fn longest_calls(functional: &Functional) -> usize {
+    count::longest_count(functional) as usize
 }
 
 /// Samples that a late output's predictions wait for.

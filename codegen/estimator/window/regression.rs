@@ -24,6 +24,7 @@ use crate::estimator::Estimator;
 use crate::estimator::window::Functional;
 use crate::plant::Plant;
 use crate::program::Program;
+use crate::promise::Certificate;
 use crate::sampled::settled::Settled;
 use crate::step::ahead::Ahead;
 
@@ -82,8 +83,8 @@ pub struct Drive {
 }
 
 impl Estimator for Regression {
-    fn lower(&self, plant: &Plant, _ahead: Option<&Ahead>) -> Result<Program, Vec<Diagnostic>> {
-        lower::lower(plant, self)
+    fn lower(&self, plant: &Plant, _ahead: Option<&Ahead>, promised: &Certificate) -> Result<Program, Vec<Diagnostic>> {
+        lower::lower(plant, self, promised)
     }
 
     fn proviso(&self) -> &'static str {

@@ -3,6 +3,7 @@
 use crate::plant::Plant;
 use crate::program::CellId;
 use crate::program::builder::Builder;
+use crate::promise::vouched::Trust;
 use crate::sampled::Source;
 use crate::sampled::settled::round;
 use crate::step::cells::{bracketed, identifier};
@@ -61,7 +62,7 @@ pub(super) fn declare<'a>(
     builder: &mut Builder,
     plant: &'a Plant,
     design: &Impulsive,
-    guard: Guard,
+    (guard, trust): (Guard, Option<Trust>),
 ) -> (Cells, Sensors<'a>) {
     let mut first = Vec::new();
     let mut second = Vec::new();
@@ -108,8 +109,7 @@ pub(super) fn declare<'a>(
     let missed = missed.collect();
     let turn = builder.index_cell("turn", "calls since the last one that is measured", 0);
     let calls = builder.index_cell("calls", "calls since init", 0);
-    let doc = "1 from a given state until convergence, 2 if that was vouched for";
-    let given = plant.init_at.then(|| Running::declare(builder, doc));
+    let given = trust.map(|trust| Running::declare(builder, "from a given state until convergence", trust));
     let coasted = plant.coasted.then(|| builder.index_cell("since", "calls since a sample was accepted", 0));
     let terms = design.knowns.iter().map(|known| term(plant, known)).collect();
     let rejected = gate::cells(builder, plant);

@@ -4,12 +4,15 @@
 //! The given state is of the call before the first. At the first good sample the copies start, z1 at what it has become,
 //! so that both have the same error and a reset takes it away as ever.
 
+mod error;
+
 use crate::program::Value;
 use crate::step::given;
 use crate::step::reading::Reading;
 
 use super::count::Counted;
 use super::{Copies, Lowering};
+pub(super) use error::trust;
 
 /// The first copy's run from a given state.
 #[derive(Clone, Copy)]
@@ -18,6 +21,8 @@ pub(super) struct Run {
     pub(super) active: Value,
     /// Whether the caller vouched for it.
     vouched: Value,
+    /// Whether the bound holds of it.
+    promised: Value,
 }
 
 impl Lowering<'_> {
@@ -45,16 +50,23 @@ impl Lowering<'_> {
         }
         let vouched = cell.vouched(b);
         let vouched = b.and(active, vouched);
+        let promised = cell.promised(b);
+        let promised = b.and(active, promised);
         cell.keep(b, active);
-        Some(Run { active, vouched })
+        Some(Run { active, vouched, promised })
     }
 
     /// What the counts say of the estimate, or the caller.
     pub(super) fn with_given(&mut self, counted: Counted, run: Option<Run>) -> Counted {
-        let Some(run) = run else { return counted };
+        let (Some(run), Some(cell)) = (run, self.cells.given) else { return counted };
         let known = self.builder.or(counted.known, run.active);
         let converged = self.builder.or(counted.converged, run.vouched);
-        Counted { converged, known, ..counted }
+        let mut clean = counted.clean;
+        if cell.ends() {
+            let renewed = self.builder.or(counted.converged, run.promised);
+            clean = self.builder.and(renewed, clean);
+        }
+        Counted { converged, known, clean, ..counted }
     }
 
     /// Writes the start from a given state, where there is one.

@@ -1,11 +1,18 @@
 //! A start from a given state: the model runs from it, with inputs and nonlinear terms, until samples have determined
-//! the estimate; the window fills meanwhile, and no way of summing it knows of the start.
+//! the estimate; the window fills meanwhile, and no way of summing it knows of the start. What an estimate has of the
+//! newest sample alone, the run has too.
+
+mod error;
 
 use crate::plant::Plant;
 use crate::program::builder::Builder;
 use crate::program::{CellId, Value};
+use crate::promise::vouched::Trust;
 use crate::sampled::carry::Carry;
 use crate::step::given::{self, Running};
+use crate::step::report::start;
+
+pub(crate) use error::{taken, trust};
 
 use super::{Lowering, Sampled, kept_len};
 
@@ -17,6 +24,8 @@ pub(crate) struct Given {
     pub(crate) running: Running,
     /// One call of the model.
     carry: Carry,
+    /// Per state: whether it is what the newest samples show.
+    taken: Vec<bool>,
     /// The run of this call.
     run: Option<Run>,
 }
@@ -29,19 +38,20 @@ struct Run {
     active: Value,
     /// Whether the caller vouched for it.
     vouched: Value,
+    /// Whether the bound holds of it.
+    promised: Value,
 }
 
 impl Given {
     /// Declares the cells.
-    pub(crate) fn declare(b: &mut Builder, plant: &Plant, carry: Carry) -> Self {
+    pub(crate) fn declare(b: &mut Builder, plant: &Plant, (carry, taken): (Carry, Vec<bool>), trust: Trust) -> Self {
         let state = plant.states.iter().map(|state| {
             let (name, unit) = (&state.label.name, crate::step::cells::bracketed(&state.label.unit));
             b.float_cell(&format!("given_{name}"), &format!("{name} as the model has it from a given state{unit}"), 0.0)
         });
         let state = state.collect();
-        let doc = "1 while the model runs from a given state, 2 if that was vouched for";
-        let running = Running::declare(b, doc);
-        Self { state, running, carry, run: None }
+        let running = Running::declare(b, "while the model runs from a given state", trust);
+        Self { state, running, carry, taken, run: None }
     }
 }
 
@@ -57,14 +67,23 @@ impl Lowering<'_> {
         let begin: Vec<Value> = now.map(|(s, now)| sensors.begun(b, s, *now)).collect();
         let before: Vec<Value> = given.state.iter().map(|cell| b.read(*cell)).collect();
         let next = given.carry.next(b, &before, (&begin, signals));
-        let state = given::turned_back(b, self.plant, next);
+        let mut state = given::turned_back(b, self.plant, next);
+        let of_samples = state.iter_mut().enumerate().filter(|(i, _)| given.taken[*i]);
+        for (i, value) in of_samples {
+            let mut there = b.boolean(true);
+            for (output, _) in &self.plant.states[i].measured {
+                there = b.and(there, sampled.reading.good[*output]);
+            }
+            let shown = start(b, self.plant, i, &sampled.reading.outputs);
+            *value = b.select(there, shown, *value);
+        }
         let mut active = given.running.active(b);
         for value in &state {
             let sane = b.in_range(*value, -self.sensors.guard.bound, self.sensors.guard.bound);
             active = b.and(active, sane);
         }
-        let vouched = given.running.vouched(b);
-        given.run = Some(Run { state, active, vouched });
+        let (vouched, promised) = (given.running.vouched(b), given.running.promised(b));
+        given.run = Some(Run { state, active, vouched, promised });
         self.given = Some(given);
     }
 
@@ -80,6 +99,7 @@ impl Lowering<'_> {
         let goes_on = b.not(over);
         run.active = b.and(run.active, goes_on);
         run.vouched = b.and(run.active, run.vouched);
+        run.promised = b.and(run.active, run.promised);
         let zero = b.float(0.0);
         running.keep(b, run.active);
         for (cell, value) in state.iter().zip(&run.state) {
@@ -98,6 +118,17 @@ impl Lowering<'_> {
     pub(super) fn or_vouched(&mut self, determined: Value) -> Value {
         let Some(Given { run: Some(run), .. }) = &self.given else { return determined };
         self.builder.or(determined, run.vouched)
+    }
+
+    /// Whether the bound holds of the estimate, where it comes from samples if it is `renewed`; none where that is so
+    /// whenever there is one.
+    pub(super) fn or_promised(&mut self, renewed: Option<Value>, determined: Value) -> Option<Value> {
+        let Some(Given { running, run: Some(run), .. }) = &self.given else { return renewed };
+        let renewed = renewed.or_else(|| running.ends().then_some(determined))?;
+        // Samples may determine a state before the window is full, and the run be what is answered.
+        let answered = self.builder.not(run.active);
+        let renewed = self.builder.and(answered, renewed);
+        Some(self.builder.or(renewed, run.promised))
     }
 
     /// Writes the start from a given state, where there is one; `more` adds what a method keeps besides.

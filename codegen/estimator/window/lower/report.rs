@@ -95,8 +95,7 @@ impl Lowering<'_> {
             let left = self.builder.index(longer + 1);
             self.builder.index_less(coasting, left)
         };
-        if let Some(renewed) = standing.renewed {
-            let renewed = self.or_vouched(renewed);
+        if let Some(renewed) = self.or_promised(standing.renewed, standing.determined) {
             clean = self.builder.and(renewed, clean);
         }
         let determined = self.or_vouched(standing.determined);

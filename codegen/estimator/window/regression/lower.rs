@@ -15,6 +15,7 @@ use crate::estimator::window::lower::predict::Unknowns;
 use crate::estimator::window::lower::{Lowering, Sampled, Standing, guard, late_len};
 use crate::plant::Plant;
 use crate::program::{CellId, Program, Value};
+use crate::promise::Certificate;
 use crate::sampled::settled::round;
 use crate::sampled::weights::push_products;
 use crate::step::injections;
@@ -25,12 +26,12 @@ use gather::{Gathered, gather};
 use responses::{Running, Window};
 
 /// Lowers a regression for its plant; constants that the target's floats cannot hold are reported.
-pub fn lower(plant: &Plant, regression: &Regression) -> Result<Program, Vec<Diagnostic>> {
+pub fn lower(plant: &Plant, regression: &Regression, promised: &Certificate) -> Result<Program, Vec<Diagnostic>> {
     check(plant, regression)?;
     let guard = guard::bound(plant, &regression.carrier, growth(plant, regression))?;
     injections::check(plant)?;
     let mut step = Step::new(Lowering::new(plant, &regression.carrier, guard), regression);
-    step.declare_given();
+    step.declare_given(promised);
     step.write();
     step.init_at();
     Ok(step.lowering.builder.finish())

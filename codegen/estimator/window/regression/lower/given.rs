@@ -1,7 +1,8 @@
 //! A start from a given state and given unknowns: the model runs with them until the window is full, and they stand as
 //! found until the signals excite the unknowns.
 
-use crate::estimator::window::lower::given::Given;
+use crate::estimator::window::lower::given::{self, Given};
+use crate::promise::Certificate;
 use crate::sampled::carry::{Carry, Factor};
 use crate::sampled::settled::Settled;
 
@@ -10,11 +11,13 @@ use super::Step;
 
 impl Step<'_> {
     /// Declares what a start from a given state keeps, where there is such a start.
-    pub(super) fn declare_given(&mut self) {
+    pub(super) fn declare_given(&mut self, promised: &Certificate) {
         let plant = self.lowering.plant;
         if plant.init_at {
             let carry = carry(self.regression, plant.states.len());
-            self.lowering.given = Some(Given::declare(&mut self.lowering.builder, plant, carry));
+            let taken = vec![false; plant.states.len()];
+            let trust = given::trust(plant, &self.regression.carrier, (&carry, &taken), promised);
+            self.lowering.given = Some(Given::declare(&mut self.lowering.builder, plant, (carry, taken), trust));
         }
     }
 
