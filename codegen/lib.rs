@@ -105,6 +105,7 @@ impl Generator {
         let one_count = OneCount::new(&plant, &program, design.valid_from_step);
         design.notes.extend(one_count.notes(&plant));
         design.notes.extend(plant.outputs.iter().filter_map(output::header::noise_parts));
+        design.warnings.extend(design.rounded(&plant));
         warnings.extend(design.warnings.iter().cloned());
         Ok(Generated { plant, design, program, one_count, settings: self.settings, report: report(warnings) })
     }
