@@ -301,6 +301,7 @@ pub mod codes {
         TIME_RESOLUTION "DB0402" "time that loses resolution in the target's float"
         WINDOW_TOO_LONG "DB0403" "a window too long to design"
         FLOAT_RESOLUTION "DB0404" "samples that the target's float resolves more coarsely than their noise"
+        ROUNDING "DB0405" "rounding in the step that is larger than what the noise does"
         FILE "DB0501" "a file or folder that cannot be read or written"
         REQUEST "DB0502" "a request without a specification, without a folder, or with one name twice"
     }

@@ -12,8 +12,9 @@ use std::any::Any;
 use std::fmt::Debug;
 use std::sync::Arc;
 
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, codes};
 use crate::expr::Symbol;
+use crate::numbers::short;
 use crate::plant::{Injection, Plant};
 use crate::program::Program;
 use crate::promise::{Certificate, Convergence, Fir, NamedMatrix, OfWindow, Phase, Realization};
@@ -95,11 +96,6 @@ pub trait Estimator: Any + Debug + Send + Sync {
     fn unbounded(&self, _promised: &Certificate) -> &'static str {
         "no error bound: the slope of a nonlinear term is not bounded over the declared ranges"
     }
-
-    /// Whether rounding in the step is carried from call to call, on top of the bound.
-    fn carries_rounding(&self) -> bool {
-        false
-    }
 }
 
 impl dyn Estimator {
@@ -127,6 +123,26 @@ impl Design {
             Between::Cubics => "cubics between samples, where no input jumps and no sample is missing fourth order",
         };
         Some(format!("{what} are {how} in the sample time"))
+    }
+
+    /// States that rounding moves further than noise and disturbances do.
+    pub fn rounded(&self, plant: &Plant) -> Vec<Diagnostic> {
+        let both = self.certificate.error_bound.iter().zip(&self.certificate.rounding).zip(&plant.states);
+        let more = both.filter_map(|((bound, rounding), state)| Some((bound.as_ref()?, rounding, state)));
+        let more = more.filter(|(bound, rounding, _)| **bound > 0.0 && rounding > bound);
+        let each = more.map(|(bound, rounding, state)| {
+            let message = format!("rounding in f32 may move `{}` further than its noise does", state.label.name);
+            let label = format!("by up to {}, noise by up to {}", short(*rounding), short(*bound));
+            let warning = Diagnostic::warning(codes::ROUNDING, state.label.span.clone(), message).label(label);
+            let other = if self.realizations.len() > 1 && self.realization != "fir" {
+                ", or `realization = \"fir\"`"
+            } else {
+                ""
+            };
+            let help = format!("write `scalar = \"f64\"`, or the `range` that samples really have{other}");
+            warning.measured(*rounding).help(help)
+        });
+        each.collect()
     }
 
     /// The promises as those of the answer moved by `ahead`.

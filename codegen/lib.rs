@@ -106,6 +106,7 @@ impl Generator {
         design.notes.extend(one_count.notes(&plant));
         design.notes.extend(plant.outputs.iter().filter_map(output::header::noise_parts));
         design.notes.extend(plant::moved::notes(&plant));
+        design.warnings.extend(design.rounded(&plant));
         warnings.extend(design.warnings.iter().cloned());
         Ok(Generated { plant, design, program, one_count, settings: self.settings, report: report(warnings) })
     }

@@ -4,6 +4,7 @@
 
 pub mod kernel;
 pub mod one_count;
+pub mod rounding;
 pub mod vouched;
 
 /// A matrix of the design under the field's letter, row-major.
@@ -42,6 +43,10 @@ pub struct Certificate {
     /// Error left at the promised step per unit of error at the first sample: per state, per state. Empty where nothing
     /// is left.
     pub initial_gain: Vec<Vec<f64>>,
+    /// Per state, the most that rounding in single precision adds, in the state's unit: for samples within their declared
+    /// range, or up to 1 where none is declared, and inputs up to 1; in proportion for larger ones. Empty in double
+    /// precision, and where there is no such bound.
+    pub rounding: Vec<f64>,
 }
 
 /// How the estimate comes to its bound.

@@ -42,6 +42,7 @@ mod past;
 pub mod periodic;
 pub mod placement;
 pub mod riccati;
+pub mod rounding;
 mod rounds;
 pub mod schedule;
 pub mod settle;
@@ -156,6 +157,8 @@ pub enum Frame {
     Plant {
         /// n x n.
         phi: Grid,
+        /// Phi - I on its diagonal: what a state that is carried in two floats grows by.
+        growth: Vec<Option<Settled>>,
         /// Of kappa into the states: M n x n and q n x 1; absent where the gain is of the states already.
         spread: Option<Spread>,
     },
@@ -232,6 +235,8 @@ pub struct Corrector {
     pub gain: Gain,
     /// K after a handover, n x p, in the frame's coordinates.
     pub handover: Option<Grid>,
+    /// Per coordinate, whether a second float carries what the first leaves out; see [`rounding`].
+    pub twofold: Vec<bool>,
     /// The countdown.
     pub counting: Counting,
     /// Good calls after the first until the estimate counts as converged; of one output, its samples.
@@ -256,8 +261,15 @@ impl Estimator for Corrector {
             "no error bound: the slope of a nonlinear term is not bounded over the declared ranges"
         }
     }
+}
 
-    fn carries_rounding(&self) -> bool {
-        true
+impl Corrector {
+    /// What a coordinate is predicted from: its row of Phi; of what it grows by, where two floats carry it.
+    pub fn prediction(&self, phi: &Grid, growth: &[Option<Settled>], i: usize) -> Vec<Option<Settled>> {
+        let mut row = phi[i].clone();
+        if self.twofold[i] {
+            row[i] = growth[i];
+        }
+        row
     }
 }

@@ -18,6 +18,7 @@ pub mod lower;
 pub mod minimax;
 pub mod realize;
 pub mod regression;
+pub mod rounding;
 pub mod settle;
 pub mod solve;
 pub mod tune;

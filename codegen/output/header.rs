@@ -10,6 +10,7 @@ use crate::output::Language;
 use crate::plant::Plant;
 use crate::program::Scalar;
 use crate::program::cost::cost;
+use crate::promise::rounding::taken;
 use crate::promise::{Certificate, Convergence};
 
 /// How the first line of a generated file's provenance begins.
@@ -275,6 +276,14 @@ fn gains(generated: &Generated, certificate: &Certificate) -> Vec<String> {
         let bounds = certificate.error_bound.iter().map(|b| b.map_or("-".into(), short)).collect();
         row(format!("error bound from {from}"), bounds);
     }
+    let single = plant.scalar == Scalar::F32;
+    if single && !certificate.rounding.is_empty() {
+        rows.push(
+            std::iter::once("rounding in f32".to_owned())
+                .chain(certificate.rounding.iter().map(|r| short(*r)))
+                .collect(),
+        );
+    }
     let mut lines = align(&rows);
     if !bounded && plant.outputs.iter().all(|o| o.noise.is_some()) {
         lines.push(format!("  {}", generated.design.estimator.unbounded(certificate)));
@@ -284,11 +293,28 @@ fn gains(generated: &Generated, certificate: &Certificate) -> Vec<String> {
             "  at every call that says it has converged; no gains: the correction is no multiple of the noise".into(),
         );
     }
-    if generated.design.estimator.carries_rounding() && plant.scalar == Scalar::F32 && bounded {
-        lines.push("  on top: rounding in f32, like noise of 1e-7 of the samples' size".into());
+    if single {
+        lines.extend(rounded(plant, certificate));
     }
     if let Some(between) = generated.design.between_samples(plant) {
         lines.push(format!("  on top: {between}"));
+    }
+    lines
+}
+
+/// Of what the rounding is, and what is not in it.
+fn rounded(plant: &Plant, certificate: &Certificate) -> Vec<String> {
+    if certificate.rounding.is_empty() {
+        return vec!["  on top: rounding in f32, of which there is no bound here".into()];
+    }
+    let mut lines = Vec::new();
+    let names = taken(plant);
+    if !names.is_empty() {
+        let names = names.join(", ");
+        lines.push(format!("  rounding: with {names} up to 1, each in its own unit; in proportion beyond that"));
+    }
+    if !plant.injections.is_empty() {
+        lines.push("  on top: what rounding does inside nonlinear terms".into());
     }
     lines
 }

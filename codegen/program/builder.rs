@@ -18,6 +18,8 @@ mod share;
 #[cfg(test)]
 mod tests;
 
+pub use composed::additions;
+
 use self::fold::{Folded, fold};
 use self::share::Shared;
 use std::mem;

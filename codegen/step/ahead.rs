@@ -6,12 +6,13 @@
 use nalgebra::DMatrix;
 
 use crate::diagnostic::{Diagnostic, codes};
-use crate::numbers::short;
+use crate::numbers::{count, short};
 use crate::plant::Plant;
-use crate::program::builder::Builder;
+use crate::program::builder::{Builder, additions};
 use crate::program::{Scalar, Value};
 use crate::promise::Certificate;
 use crate::promise::kernel::{Kernel, slope};
+use crate::promise::rounding::{signal, unit};
 use crate::real::{Matrix, Precision, Real, rows, zero_order_hold};
 use crate::sampled::model::Matrices;
 use crate::sampled::samples::whole_samples;
@@ -136,11 +137,32 @@ impl Ahead {
         self.carry(&mut certificate.noise_gain_l2);
         self.carry(&mut certificate.disturbance_gain_l1);
         self.carry(&mut certificate.initial_gain);
+        self.round(plant, &mut certificate.rounding);
         add(&mut certificate.disturbance_gain_l1, &Self::disturbed(plant));
         match bounded {
             Some(bounds) => certificate.error_bound = bounds.into_iter().map(Some).collect(),
             None => certificate.error_bound.fill(None),
         }
+    }
+
+    /// What rounding adds to the moved answer: a state is rounded by at least half of its last bit, and the move has so
+    /// many more roundings of its terms.
+    fn round(&self, plant: &Plant, rounding: &mut Vec<f64>) {
+        if rounding.is_empty() {
+            return;
+        }
+        let roundings = count(3 + additions(self.phi.len() + self.held.len() + 1));
+        let size = |entry: &Option<Settled>| entry.map_or(0.0, |entry| entry.double.abs());
+        let known = |i: usize| {
+            let held = self.held.iter().map(|(source, column)| size(&column[i]) * signal(plant, &held(*source)));
+            held.sum::<f64>() + size(&self.constant[i])
+        };
+        let magnitudes = self.magnitudes();
+        let moved = magnitudes.iter().enumerate().map(|(i, row)| {
+            let states: f64 = row.iter().zip(&*rounding).map(|(factor, own)| factor * own).sum();
+            roundings * (states + unit(plant.scalar) * known(i))
+        });
+        *rounding = moved.collect();
     }
 
     /// Magnitudes of `e^{A a}`, n x n.

@@ -20,6 +20,7 @@
  *   noise gain from encoder, worst case  1         40.72
  *   noise gain from encoder, white       1         27.95
  *   error bound from noise               3.142e-4  0.01322
+ *   on top: rounding in f32, of which there is no bound here
  *   on top: nonlinear terms are straight lines between samples, second order in the sample time
  *
  * Cost       26 multiplications, 34 additions, 1 sin a call, the same for every call

@@ -20,6 +20,7 @@
  *   noise gain from y, worst case  1.949     539.8     52540
  *   noise gain from y, white       0.5969    138.3     13350
  *   error bound from noise         9.743e-7  2.699e-4  0.02627
+ *   rounding in f32                0.01397   3.869     376.6
  *
  * Cost       90 multiplications, 93 additions a call, the same for every call
  * Memory     state 108 bytes, constants 240 bytes

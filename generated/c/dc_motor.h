@@ -24,6 +24,9 @@
  *   noise gain from y, white                 0.1995    3.361     0.6236
  *   gain from w, worst case                  6.774e-4  0.04306   0.007049
  *   error bound from noise and disturbances  2.365e-4  0.007417  0.001279
+ *   rounding in f32                          2.714e-5  4.636e-4  8.798e-5
+ *   rounding: with y, u up to 1, each in its own unit; in proportion beyond that
+ *   on top: what rounding does inside nonlinear terms
  *   on top: nonlinear terms are straight lines between samples, second order in the sample time
  *
  * Cost       911 multiplications, 918 additions, 1 sin a call, the same for every call

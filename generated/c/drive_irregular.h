@@ -25,6 +25,7 @@
  *   noise gain from y, white       0.694     11.71    2.172
  *   gain from w, worst case        8.149e-4  0.04505  0.007418
  *   no error bound: it depends on when samples come; the gains are of regular gaps
+ *   on top: rounding in f32, of which there is no bound here
  *
  * Cost       2138 multiplications, 1734 additions, 6 divisions a call, the same for every call
  * Memory     state 1244 bytes, constants 1200 bytes

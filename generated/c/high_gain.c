@@ -349,25 +349,23 @@ static float high_gain_sin_f32(float x)
                                 value.magnitude);
 }
 
-void high_gain_init(high_gain_state *state)
-{
-    state->sway = 0.0f;
-    state->rate = 0.0f;
-    state->good = 0U;
-    state->clean = 0U;
-    state->last_sway = 0.0f;
-    state->last_trolley = 0.0f;
-    state->last_known1 = 0.0f;
-}
+/* What one part of a step hands to the next. */
+typedef struct {
+    float t71;
+    float t72;
+    uint32_t t78;
+    uint32_t t83;
+    high_gain_status t92;
+} high_gain_work;
 
-void high_gain_step(high_gain_state *state, const high_gain_measurements *measurements,
-                    const high_gain_inputs *inputs, high_gain_estimate *estimate)
+/* Part 1 of a step. */
+static void high_gain_part_1(high_gain_state *state, const high_gain_measurements *measurements, const high_gain_inputs *inputs, high_gain_work *work)
 {
     /* samples: outside its range, infinite or NaN means missing */
     const float t0 = measurements->sway;
     const int t1 = (-1.0f <= t0) && (t0 <= 1.0f);
     const float t2 = inputs->trolley;
-    const int t3 = (-1e37f <= t2) && (t2 <= 1e37f);
+    const int t3 = (-1e36f <= t2) && (t2 <= 1e36f);
     const float t4 = state->last_trolley;
     const float t5 = t3 ? t2 : t4;
 
@@ -381,71 +379,105 @@ void high_gain_step(high_gain_state *state, const high_gain_measurements *measur
     const float t15 = t6 + t10;
     const float t16 = t15 + t12;
     const float t17 = t16 + t14;
-    const float t19 = 0.9999f * t7;
-    const float t21 = -0.00033331665f * t5;
-    const float t23 = -0.001634891f * t8;
-    const float t24 = t19 + t21;
-    const float t25 = t24 + t23;
-    const float t27 = -1.0899728e-6f * t8;
-    const float t28 = t17 + t27;
-    const float t30 = state->last_sway;
-    const int t31 = (-1.0f <= t28) && (t28 <= 1.0f);
-    const float t32 = t31 ? t28 : t30;
-    const float t33 = t1 ? t0 : t32;
-    const float t34 = high_gain_sin_f32(t33);
-    const float t35 = -1.0899728e-6f * t34;
-    const float t36 = t17 + t35;
-    const float t37 = -0.0016349455f * t34;
-    const float t38 = t25 + t37;
+    const float t18 = state->low_rate;
+    const float t20 = -9.9995e-5f * t7;
+    const float t22 = -0.00033331665f * t5;
+    const float t24 = -0.001634891f * t8;
+    const float t25 = t18 + t20;
+    const float t26 = t25 + t22;
+    const float t27 = t26 + t24;
+    const float t29 = -1.0899728e-6f * t8;
+    const float t30 = t17 + t29;
+    const float t32 = state->last_sway;
+    const int t33 = (-1.0f <= t30) && (t30 <= 1.0f);
+    const float t34 = t33 ? t30 : t32;
+    const float t35 = t1 ? t0 : t34;
+    const float t36 = high_gain_sin_f32(t35);
+    const float t37 = -1.0899728e-6f * t36;
+    const float t38 = t17 + t37;
+    const float t39 = -0.0016349455f * t36;
+    const float t40 = t27 + t39;
     state->last_trolley = t5;
-    state->last_known1 = t34;
-    state->last_sway = t33;
-    const int t39 = t3 && t1;
+    state->last_known1 = t36;
+    state->last_sway = t35;
+    const int t41 = t3 && t1;
 
     /* correction by the innovation */
-    const int t40 = (-1.0f <= t36) && (t36 <= 1.0f);
-    const int t41 = t1 || t40;
-    const int t42 = !t41;
-    const float t44 = t33 - t36;
-    const float t45 = t1 ? t44 : 0.0f;
-    const float t47 = 0.038735095f * t45;
-    const float t49 = 0.19030662f * t45;
-    const float t50 = t36 + t47;
-    const float t51 = t38 + t49;
+    const int t42 = (-1.0f <= t38) && (t38 <= 1.0f);
+    const int t43 = t1 || t42;
+    const int t44 = !t43;
+    const float t46 = t35 - t38;
+    const float t47 = t1 ? t46 : 0.0f;
+    const float t49 = 0.038735095f * t47;
+    const float t51 = 0.19030662f * t47;
+    const float t52 = t38 + t49;
+    const float t53 = t40 + t51;
+    const float t54 = t7 + t53;
+    const float t55 = t54 - t7;
+    const float t56 = t54 - t55;
+    const float t57 = t53 - t55;
+    const float t58 = t7 - t56;
+    const float t59 = t58 + t57;
 
     /* the first sample starts the observer; so does a state beyond all bounds */
-    const uint32_t t53 = state->good;
-    const int t54 = t53 == 0U;
-    const int t55 = t54 || t42;
-    const int t56 = (-1e37f <= t50) && (t50 <= 1e37f);
-    const int t57 = !t56;
-    const int t58 = t55 || t57;
-    const int t59 = (-1e37f <= t51) && (t51 <= 1e37f);
-    const int t60 = !t59;
-    const int t61 = t58 || t60;
-    const float t62 = t1 ? t33 : 0.0f;
-    const float t63 = t61 ? t62 : t50;
-    state->sway = t63;
-    const float t64 = t61 ? 0.0f : t51;
-    state->rate = t64;
-    const uint32_t t66 = t1 ? 1U : 0U;
-    const uint32_t t67 = (t53 < 848U) ? (t53 + 1U) : 848U;
-    const uint32_t t68 = t1 ? t67 : t53;
-    const uint32_t t69 = t61 ? t66 : t68;
-    state->good = t69;
-    const uint32_t t70 = state->clean;
-    const uint32_t t71 = (t70 < 1006U) ? (t70 + 1U) : 1006U;
-    const uint32_t t72 = t39 ? t71 : 0U;
-    const uint32_t t74 = t61 ? 1006U : t72;
-    state->clean = t74;
+    const uint32_t t61 = state->good;
+    const int t62 = t61 == 0U;
+    const int t63 = t62 || t44;
+    const int t64 = (-1e36f <= t52) && (t52 <= 1e36f);
+    const int t65 = !t64;
+    const int t66 = t63 || t65;
+    const int t67 = (-1e36f <= t54) && (t54 <= 1e36f);
+    const int t68 = !t67;
+    const int t69 = t66 || t68;
+    const float t70 = t1 ? t35 : 0.0f;
+    work->t71 = t69 ? t70 : t52;
+    state->sway = work->t71;
+    work->t72 = t69 ? 0.0f : t54;
+    state->rate = work->t72;
+    const float t73 = t69 ? 0.0f : t59;
+    state->low_rate = t73;
+    const uint32_t t75 = t1 ? 1U : 0U;
+    const uint32_t t76 = (t61 < 848U) ? (t61 + 1U) : 848U;
+    const uint32_t t77 = t1 ? t76 : t61;
+    work->t78 = t69 ? t75 : t77;
+    state->good = work->t78;
+    const uint32_t t79 = state->clean;
+    const uint32_t t80 = (t79 < 1006U) ? (t79 + 1U) : 1006U;
+    const uint32_t t81 = t41 ? t80 : 0U;
+    work->t83 = t69 ? 1006U : t81;
+    state->clean = work->t83;
+}
 
+/* Part 2 of a step. */
+static void high_gain_part_2(high_gain_work *work)
+{
     /* the estimate */
-    const int t77 = 847U < t69;
-    const int t78 = 1005U < t74;
-    const high_gain_status t82 = t78 ? HIGH_GAIN_CONVERGED : HIGH_GAIN_COASTING;
-    const high_gain_status t83 = t77 ? t82 : HIGH_GAIN_CONVERGING;
+    const int t86 = 847U < work->t78;
+    const int t87 = 1005U < work->t83;
+    const high_gain_status t91 = t87 ? HIGH_GAIN_CONVERGED : HIGH_GAIN_COASTING;
+    work->t92 = t86 ? t91 : HIGH_GAIN_CONVERGING;
+}
 
-    estimate->sway = t63;
-    estimate->rate = t64;
-    estimate->status = t83;
+void high_gain_init(high_gain_state *state)
+{
+    state->sway = 0.0f;
+    state->rate = 0.0f;
+    state->low_rate = 0.0f;
+    state->good = 0U;
+    state->clean = 0U;
+    state->last_sway = 0.0f;
+    state->last_trolley = 0.0f;
+    state->last_known1 = 0.0f;
+}
+
+void high_gain_step(high_gain_state *state, const high_gain_measurements *measurements,
+                    const high_gain_inputs *inputs, high_gain_estimate *estimate)
+{
+    high_gain_work work;
+    high_gain_part_1(state, measurements, inputs, &work);
+    high_gain_part_2(&work);
+
+    estimate->sway = work.t71;
+    estimate->rate = work.t72;
+    estimate->status = work.t92;
 }

@@ -12,12 +12,15 @@
  * Method     window: smallest worst-case noise gain over the last 41 samples (0.004 s at 0.0001 s), stateless
  * Converged  from call 41 (0.004 s after the first), whatever the initial state
  *
- *                                    gap  speed
- *   unit                             m    m/s
- *   noise gain from gap, worst case  1    500
- *   noise gain from gap, white       1    353.6
- *   gain from gust, worst case       0    0.002
+ *                                    gap       speed
+ *   unit                             m         m/s
+ *   noise gain from gap, worst case  1         500
+ *   noise gain from gap, white       1         353.6
+ *   gain from gust, worst case       0         0.002
+ *   rounding in f32                  2.253e-7  9.492e-5
  *   no error bound: the slope of a nonlinear term is not bounded over the declared ranges
+ *   rounding: with current, nonlinear terms up to 1, each in its own unit; in proportion beyond that
+ *   on top: what rounding does inside nonlinear terms
  *   on top: nonlinear terms are straight lines between samples, second order in the sample time
  *
  * Cost       250 multiplications, 252 additions, 2 divisions a call, the same for every call

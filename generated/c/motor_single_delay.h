@@ -24,6 +24,9 @@
  *   noise gain from y, white                 1         9.657     1.791
  *   gain from w, worst case                  0         0.03861   0.006223
  *   error bound from noise and disturbances  1.000e-4  0.006518  0.001112
+ *   rounding in f32                          1.830e-5  4.029e-4  7.673e-5
+ *   rounding: with y, u up to 1, each in its own unit; in proportion beyond that
+ *   on top: what rounding does inside nonlinear terms
  *   on top: nonlinear terms are straight lines between samples, second order in the sample time
  *
  * Cost       710 multiplications, 715 additions, 1 sin a call, the same for every call

@@ -20,7 +20,7 @@
  *   unit                                     rad       rad/s   rad/s^2
  *   error bound from noise and disturbances  9.381e-4  1.022   210.8
  *   at every call that says it has converged; no gains: the correction is no multiple of the noise
- *   on top: rounding in f32, like noise of 1e-7 of the samples' size
+ *   on top: rounding in f32, of which there is no bound here
  *
  * Cost       44 multiplications, 53 additions, 8 divisions a call, the same for every call
  * Memory     state 20 bytes, constants 72 bytes

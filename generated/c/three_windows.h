@@ -13,23 +13,29 @@
  *            those of window 2 from call 31, those of window 3 from call 101, until then as the next shorter one
  *
  *   window of 0.01 s, 11 samples
- *                                  q         dq     d2q
- *   unit                           rad       rad/s  rad/s^2
- *   noise gain from y, worst case  1.769     1010   195800
- *   noise gain from y, white       0.7619    354.5  68280
- *   error bound from noise         0.002654  1.515  293.7
+ *                                  q         dq        d2q
+ *   unit                           rad       rad/s     rad/s^2
+ *   noise gain from y, worst case  1.769     1010      195800
+ *   noise gain from y, white       0.7619    354.5     68280
+ *   error bound from noise         0.002654  1.515     293.7
+ *   rounding in f32                1.189e-6  5.768e-4  0.105
+ *   rounding: with y up to 1, each in its own unit; in proportion beyond that
  *   window of 0.03 s, 31 samples, names with _2 behind them
- *                                  q         dq      d2q
- *   unit                           rad       rad/s   rad/s^2
- *   noise gain from y, worst case  2.015     368.8   24070
- *   noise gain from y, white       0.5058    78.05   5028
- *   error bound from noise         0.003023  0.5531  36.1
+ *                                  q         dq        d2q
+ *   unit                           rad       rad/s     rad/s^2
+ *   noise gain from y, worst case  2.015     368.8     24070
+ *   noise gain from y, white       0.5058    78.05     5028
+ *   error bound from noise         0.003023  0.5531    36.1
+ *   rounding in f32                2.977e-6  4.538e-4  0.02726
+ *   rounding: with y up to 1, each in its own unit; in proportion beyond that
  *   window of 0.1 s, 101 samples, names with _3 behind them
- *                                  q         dq      d2q
- *   unit                           rad       rad/s   rad/s^2
- *   noise gain from y, worst case  2.124     115.5   2265
- *   noise gain from y, white       0.2927    13.53   261.8
- *   error bound from noise         0.003187  0.1733  3.397
+ *                                  q         dq        d2q
+ *   unit                           rad       rad/s     rad/s^2
+ *   noise gain from y, worst case  2.124     115.5     2265
+ *   noise gain from y, white       0.2927    13.53     261.8
+ *   error bound from noise         0.003187  0.1733    3.397
+ *   rounding in f32                9.128e-6  4.081e-4  0.007289
+ *   rounding: with y up to 1, each in its own unit; in proportion beyond that
  *
  * Cost       431 multiplications, 431 additions a call, the same for every call
  * Memory     state 420 bytes, constants 1716 bytes

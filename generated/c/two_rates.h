@@ -21,6 +21,7 @@
  *   noise gain from wheel, worst case   0.217     1.58     7.34
  *   noise gain from wheel, white        0.03814   0.2926   1.322
  *   error bound from noise              0.00934   0.03318  0.152
+ *   on top: rounding in f32, of which there is no bound here
  *
  * Cost       1328 multiplications, 1081 additions, 6 divisions a call, the same for every call
  * Memory     state 856 bytes, constants 960 bytes

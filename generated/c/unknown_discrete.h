@@ -17,6 +17,7 @@
  *   noise gain from shown, worst case  2.711     1.958     0.2651
  *   noise gain from shown, white       0.7191    0.5419    0.07288
  *   error bound from noise             0.002711  0.001958  2.651e-4
+ *   on top: rounding in f32, of which there is no bound here
  *
  * Cost       125 multiplications, 127 additions a call, the same for every call
  * Memory     state 184 bytes, constants 480 bytes

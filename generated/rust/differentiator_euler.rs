@@ -21,7 +21,7 @@
 //!   noise gain from temperature, worst case  1.246        0.8773        0.1666
 //!   noise gain from temperature, white       0.6988       0.3654        0.06254
 //!   error bound from noise                   0.01246      -             -
-//!   on top: rounding in f32, like noise of 1e-7 of the samples' size
+//!   rounding in f32                          3.665e-4     6.297e-4      2.354e-4
 //!
 //! Cost       16 multiplications, 16 additions, 1 division a call, the same for every call
 //! Memory     state 24 bytes, constants 0 bytes

@@ -13,13 +13,16 @@
 //! Method     window: least squares over the last 41 samples (0.4 s at 0.01 s), stateless
 //! Converged  from call 41 (0.4 s after the first), whatever the initial state
 //!
-//!                                       position  speed    slope   wheel
-//!   unit                                m         m/s      m/s^2   m/s
-//!   noise gain from camera, worst case  1         1.588    7.482   1.437
-//!   noise gain from camera, white       0.1728    0.3173   1.442   0.291
-//!   noise gain from wheel, worst case   0.1999    1.858    9.233   1.61
-//!   noise gain from wheel, white        0.03994   0.348    1.647   0.3053
-//!   error bound from noise              0.00954   0.06723  0.3821  0.05415
+//!                                       position  speed     slope     wheel
+//!   unit                                m         m/s       m/s^2     m/s
+//!   noise gain from camera, worst case  1         1.588     7.482     1.437
+//!   noise gain from camera, white       0.1728    0.3173    1.442     0.291
+//!   noise gain from wheel, worst case   0.1999    1.858     9.233     1.61
+//!   noise gain from wheel, white        0.03994   0.348     1.647     0.3053
+//!   error bound from noise              0.00954   0.06723   0.3821    0.05415
+//!   rounding in f32                     3.688e-5  2.659e-4  0.001275  2.322e-4
+//!   rounding: with camera, force up to 1, each in its own unit; in proportion beyond that
+//!   on top: what rounding does inside nonlinear terms
 //!   on top: nonlinear terms are straight lines between samples, second order in the sample time
 //!
 //! Cost       643 multiplications, 654 additions, 1 tanh a call, the same for every call

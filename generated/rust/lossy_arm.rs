@@ -21,6 +21,7 @@
 //!   noise gain from y, worst case  1.61      56.34
 //!   noise gain from y, white       0.3789    12.75
 //!   error bound from noise         0.001617  0.05721
+//!   on top: rounding in f32, of which there is no bound here
 //!   on top: nonlinear terms are straight lines between samples, second order in the sample time
 //!
 //! Cost       458 multiplications, 488 additions, 3 divisions, 1 sin a call, the same for every call

@@ -22,6 +22,7 @@
 //!   noise gain from wheel, worst case   0.1999    1.858    9.233   1.61
 //!   noise gain from wheel, white        0.03994   0.348    1.647   0.3053
 //!   error bound from noise              0.00954   0.06723  0.3821  0.05415
+//!   on top: rounding in f32, of which there is no bound here
 //!   on top: nonlinear terms are straight lines between samples, second order in the sample time
 //!
 //! Cost       2239 multiplications, 1880 additions, 10 divisions, 1 tanh a call, the same for every call

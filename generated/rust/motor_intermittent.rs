@@ -27,6 +27,7 @@
 //!   noise gain from y, white       1.203  31.36  5.817
 //!   gain from w, worst case        -      -      -
 //!   no error bound: what enters between measurements is carried on
+//!   on top: rounding in f32, of which there is no bound here
 //!   on top: nonlinear terms are straight lines between samples, second order in the sample time
 //!
 //! Cost       710 multiplications, 715 additions, 1 sin a call, the same for every call

@@ -26,6 +26,9 @@
 //!   noise gain from y, white                 1         150.2     27.21
 //!   gain from w, worst case                  0         0.006131  2.458e-4
 //!   error bound from noise and disturbances  1.000e-4  0.02957   0.005269
+//!   rounding in f32                          3.457e-6  0.001598  2.870e-4
+//!   rounding: with y, u up to 1, each in its own unit; in proportion beyond that
+//!   on top: what rounding does inside nonlinear terms
 //!   on top: nonlinear terms are straight lines between samples, second order in the sample time
 //!
 //! Cost       41 multiplications, 38 additions, 1 sin a call, the same for every call

@@ -19,6 +19,9 @@
 //!   noise gain from theta, worst case  1.641     58.73
 //!   noise gain from theta, white       0.2759    9.497
 //!   error bound from noise             3.307e-4  0.01207
+//!   rounding in f32                    8.678e-6  2.873e-4
+//!   rounding: with theta up to 1, each in its own unit; in proportion beyond that
+//!   on top: what rounding does inside nonlinear terms
 //!   on top: nonlinear terms are straight lines between samples, second order in the sample time
 //!
 //! Cost       207 multiplications, 210 additions, 1 sin a call, the same for every call

@@ -20,6 +20,7 @@
 //!   noise gain from theta, worst case  1         41.72
 //!   noise gain from theta, white       1         28.28
 //!   error bound from noise             2.000e-4  0.009297
+//!   on top: rounding in f32, of which there is no bound here
 //!   on top: nonlinear terms are straight lines between samples, second order in the sample time
 //!
 //! Cost       13 multiplications, 15 additions, 1 sin a call, the same for every call

@@ -19,11 +19,14 @@
 //!            once converged, y further than 0.2 rad from its prediction is missing;
 //!            after 20 such samples in a row the observer starts again with the last of them
 //!
-//!                                  q         dq      load
-//!   unit                           rad       rad/s   N m
-//!   noise gain from y, worst case  2.011     182.1   731.2
-//!   noise gain from y, white       0.504     38.5    152.7
-//!   error bound from noise         0.002013  0.1826  0.7338
+//!                                  q         dq        load
+//!   unit                           rad       rad/s     N m
+//!   noise gain from y, worst case  2.011     182.1     731.2
+//!   noise gain from y, white       0.504     38.5      152.7
+//!   error bound from noise         0.002013  0.1826    0.7338
+//!   rounding in f32                2.941e-5  0.002669  0.01073
+//!   rounding: with tau up to 1, each in its own unit; in proportion beyond that
+//!   on top: what rounding does inside nonlinear terms
 //!   on top: nonlinear terms are straight lines between samples, second order in the sample time
 //!
 //! Cost       348 multiplications, 447 additions, 1 sin a call, the same for every call

@@ -27,6 +27,7 @@
 //!   noise gain from i, worst case  0.001138  0.03214   1.016    15.21    5.083
 //!   noise gain from i, white       1.311e-4  0.003723  0.1021   1.53     0.5106
 //!   error bound from noise         2.181e-4  0.00536   0.01102  0.208    0.05214
+//!   on top: rounding in f32, of which there is no bound here
 //!
 //! Cost       511 multiplications, 520 additions a call, the same for every call
 //! Memory     state 1412 bytes, constants 16720 bytes

@@ -35,6 +35,7 @@ mod methods {
     mod single_delay_order;
     mod single_delay_theorem;
     mod single_delay_trajectories;
+    mod single_precision;
     mod slow;
     mod theorem;
 }

@@ -28,21 +28,29 @@ const SLACK: f64 = 1.0 + 1e-9;
 const MOST_WORK: f64 = 2e8;
 
 impl Errors<'_> {
-    /// The certificate from call `valid` on.
-    pub fn certify(&self, valid: usize, remaining: &Remaining) -> Certificate {
+    /// The largest sums of any call from `valid` on.
+    pub(super) fn worst(&self, valid: usize) -> Sums {
         let kernel = Kernel::new(self.plant);
         let kernel = kernel.as_ref();
         let worst = if self.goes_round() { self.turning(valid, kernel) } else { self.held(valid, kernel) };
-        let worst = worst.scaled(SLACK);
-        let infinite = || vec![vec![f64::INFINITY; self.plant.disturbances.len()]; self.order()];
-        let disturbance_gain_l1 = if kernel.is_some() { rows(&worst.disturbances) } else { infinite() };
-        let error_bound = (0..self.order()).map(|i| self.bound(&worst, &disturbance_gain_l1, i)).collect();
+        let mut worst = worst.scaled(SLACK);
+        if kernel.is_none() {
+            worst.disturbances.fill(f64::INFINITY);
+        }
+        worst
+    }
+
+    /// The certificate from the call on from which these sums are.
+    pub(super) fn certify(&self, worst: &Sums, remaining: &Remaining) -> Certificate {
+        let disturbance_gain_l1 = rows(&worst.disturbances);
+        let error_bound = (0..self.order()).map(|i| self.bound(worst, &disturbance_gain_l1, i)).collect();
         Certificate {
             noise_gain_l2: rows(&worst.squares.map(f64::sqrt)),
             noise_gain_l1: rows(&worst.noise),
             disturbance_gain_l1,
             error_bound,
             initial_gain: rows(&remaining.by_state),
+            rounding: Vec::new(),
         }
     }
 
@@ -138,12 +146,13 @@ impl Sums {
         Self::new(plant, signals).map(|_| f64::INFINITY)
     }
 
-    fn parts(&self) -> [&DMatrix<f64>; 4] {
-        [&self.noise, &self.squares, &self.disturbances, &self.signals]
+    fn parts(&self) -> [&DMatrix<f64>; 6] {
+        [&self.noise, &self.squares, &self.disturbances, &self.signals, &self.carried, &self.gained]
     }
 
-    fn parts_mut(&mut self) -> [&mut DMatrix<f64>; 4] {
-        [&mut self.noise, &mut self.squares, &mut self.disturbances, &mut self.signals]
+    fn parts_mut(&mut self) -> [&mut DMatrix<f64>; 6] {
+        let Self { noise, squares, disturbances, signals, carried, gained } = self;
+        [noise, squares, disturbances, signals, carried, gained]
     }
 
     fn map(mut self, change: impl Fn(f64) -> f64) -> Self {
@@ -154,9 +163,9 @@ impl Sums {
     /// What a transition makes of them at most; of deviations that are added as if they were of one cause.
     fn carried(&self, transition: &DMatrix<f64>) -> Self {
         let magnitudes = transition.abs();
-        let [noise, _, disturbances, signals] = self.parts().map(|part| &magnitudes * part);
+        let [noise, _, disturbances, signals, carried, gained] = self.parts().map(|part| &magnitudes * part);
         let squares = (&magnitudes * self.squares.map(f64::sqrt)).map(|x| x * x);
-        Self { noise, squares, disturbances, signals }
+        Self { noise, squares, disturbances, signals, carried, gained }
     }
 
     fn add(&mut self, other: &Self) {

@@ -2,6 +2,7 @@
 
 use super::errors::{Errors, Remaining, until};
 use super::exact::{Exact, Law};
+use super::rounding::Rounding;
 use super::schedule::Schedule;
 use super::settle::settle;
 use super::{Corrector, Counting, interval};
@@ -84,7 +85,11 @@ pub fn build(request: &Request) -> Result<Built, Vec<Diagnostic>> {
     let schedule = Schedule::new(plant, &exact, counting, valid);
     let errors = Errors::new(plant, &request.signals, &exact, &schedule, valid).ok_or_else(|| unobservable(plant))?;
     let remaining = errors.remaining(valid);
-    let certificate = errors.certify(valid, &remaining);
+    let worst = errors.worst(valid);
+    let mut certificate = errors.certify(&worst, &remaining);
+    if let Some(rounding) = Rounding::new(plant, &corrector, &errors, &worst, &certificate.error_bound) {
+        (certificate.rounding, corrector.twofold) = (rounding.bound, rounding.twofold);
+    }
     corrector.recovery = errors.recovery(valid, remaining.share);
     let convergence = match request.promise {
         Promise::At(_) => Convergence::Prescribed { left: remaining.share },

@@ -7,6 +7,7 @@
 //! initial error is measured over all calls until the promised one.
 
 mod size;
+mod sums;
 
 use nalgebra::{DMatrix, DVector};
 
@@ -20,6 +21,7 @@ use crate::promise::kernel::Kernel;
 use crate::real::{Matrix, Real};
 use crate::sampled::Signal;
 pub(super) use size::coordinates;
+pub(super) use sums::Sums;
 
 /// Multiplications spent on the calls of a recovery.
 const MOST_RECOVERY: usize = 20_000_000;
@@ -46,6 +48,13 @@ pub struct Errors<'a> {
     pub(super) cycle: Vec<DMatrix<f64>>,
     /// The latter in states.
     turn: Vec<DMatrix<f64>>,
+    /// What the step carries, as coordinates of these and as states; n x n.
+    carried: DMatrix<f64>,
+    pub(super) from_carried: DMatrix<f64>,
+    /// What the step carries from states, n x n.
+    pub(super) into_carried: DMatrix<f64>,
+    /// Sums of magnitudes that the gain of each call is made of, n x p, of what the step carries; lead and cycle.
+    made_of: [Vec<DMatrix<f64>>; 2],
 }
 
 /// What is left of an initial error at a call.
@@ -55,37 +64,6 @@ pub struct Remaining {
     pub share: f64,
     /// Per state, per initial error of a state.
     pub by_state: DMatrix<f64>,
-}
-
-/// Sums of magnitudes, per state.
-#[derive(Clone, Debug)]
-pub(super) struct Sums {
-    /// Per output.
-    pub(super) noise: DMatrix<f64>,
-    /// Per output, of squares.
-    pub(super) squares: DMatrix<f64>,
-    /// Per disturbance.
-    pub(super) disturbances: DMatrix<f64>,
-    /// Per signal.
-    pub(super) signals: DMatrix<f64>,
-}
-
-impl Sums {
-    pub(super) fn new(plant: &Plant, signals: usize) -> Self {
-        let zeros = |columns: usize| DMatrix::zeros(plant.states.len(), columns);
-        let p = plant.outputs.len();
-        Self {
-            noise: zeros(p),
-            squares: zeros(p),
-            disturbances: zeros(plant.disturbances.len()),
-            signals: zeros(signals),
-        }
-    }
-
-    fn add_noise(&mut self, gains: &DMatrix<f64>) {
-        self.noise += gains.abs();
-        self.squares += gains.component_mul(gains);
-    }
 }
 
 impl<'a> Errors<'a> {
@@ -114,7 +92,29 @@ impl<'a> Errors<'a> {
         let of = |gains: &[DMatrix<f64>]| gains.iter().map(|gain| &to * gain).collect();
         let (lead, cycle) = (of(&schedule.lead), of(&schedule.cycle));
         let turn = schedule.cycle.clone();
-        Some(Self { plant, signals, to, back, far, far_to, wide, phi, c, effects, lead, cycle, turn })
+        let (from_carried, into_carried) = exact.frame()?;
+        let carried = &to * &from_carried;
+        let made_of = |gains: &[DMatrix<f64>]| gains.iter().map(|gain| exact.made_of(&into_carried, gain)).collect();
+        let made_of = [made_of(&schedule.lead), made_of(&schedule.cycle)];
+        Some(Self {
+            plant,
+            signals,
+            to,
+            back,
+            far,
+            far_to,
+            wide,
+            phi,
+            c,
+            effects,
+            lead,
+            cycle,
+            turn,
+            carried,
+            from_carried,
+            into_carried,
+            made_of,
+        })
     }
 
     /// The plant in coordinates of the size until the promised call.
@@ -131,6 +131,12 @@ impl<'a> Errors<'a> {
     pub(super) fn place(&self, call: usize) -> usize {
         let turn = self.turn.len();
         (call + turn - 1 + self.lead.len() * (turn - 1)) % turn
+    }
+
+    /// Sums of magnitudes that a gain of those that go round is made of, n x p, of what the step carries.
+    pub(super) fn made_of(&self, place: usize) -> &DMatrix<f64> {
+        let [_, cycle] = &self.made_of;
+        &cycle[place]
     }
 
     /// Per signal: its effects at the beginning and at the end of an interval, n x 1, of states.
@@ -205,10 +211,27 @@ impl<'a> Errors<'a> {
 
     /// The gain of a call, from 1.
     pub(super) fn gain(&self, call: usize) -> &DMatrix<f64> {
-        match self.lead.get(call - 1) {
-            Some(gain) => gain,
-            None => &self.cycle[(call - 1 - self.lead.len()) % self.cycle.len()],
-        }
+        Self::of_call(&self.lead, &self.cycle, call)
+    }
+
+    /// What it is made of.
+    fn magnitudes(&self, call: usize) -> &DMatrix<f64> {
+        let [lead, cycle] = &self.made_of;
+        Self::of_call(lead, cycle, call)
+    }
+
+    fn of_call<'s>(lead: &'s [DMatrix<f64>], cycle: &'s [DMatrix<f64>], call: usize) -> &'s DMatrix<f64> {
+        lead.get(call - 1).unwrap_or_else(|| &cycle[(call - 1 - lead.len()) % cycle.len()])
+    }
+
+    /// The magnitudes of `C Phi`, p x n: what an error of the states does to the innovations of the next call.
+    pub(super) fn foretold(&self) -> DMatrix<f64> {
+        (&self.c * &self.phi * &self.to).abs()
+    }
+
+    /// C, p x n, of states.
+    pub(super) fn shown(&self) -> DMatrix<f64> {
+        &self.c * &self.to
     }
 
     /// I - K C of a call.
@@ -232,6 +255,9 @@ impl<'a> Errors<'a> {
         kernel: Option<&Kernel>,
     ) -> DMatrix<f64> {
         sums.add_noise(&(rows * self.gain(call)));
+        let carried = (rows * &self.carried).abs();
+        sums.gained += &carried * self.magnitudes(call);
+        sums.carried += carried;
         let rows = rows * self.correction(call);
         let acc = &rows * &self.to;
         if let Some(kernel) = kernel {
@@ -263,6 +289,7 @@ impl<'a> Errors<'a> {
     pub(super) fn finish(&self, sums: &mut Sums, rows: &DMatrix<f64>, begun: &DMatrix<f64>, started: bool) {
         sums.signals += begun.abs();
         if started {
+            sums.carried += (rows * &self.carried).abs();
             sums.add_noise(&(rows * &self.to * self.starts()));
         }
     }

@@ -102,6 +102,31 @@ impl Exact {
         Ok(Self { model, chain, law, handover, start, entry })
     }
 
+    /// Plant states from the coordinates that the step carries, and those from these; in doubles, n x n.
+    pub fn frame(&self) -> Option<(DMatrix<f64>, DMatrix<f64>)> {
+        match (&self.chain, &self.start) {
+            (Some(chain), Some(_)) => Some((chain.m.doubles(), inverse(&chain.m).ok()?.doubles())),
+            _ => {
+                let n = self.model.phi.rows();
+                Some((DMatrix::identity(n, n), DMatrix::identity(n, n)))
+            }
+        }
+    }
+
+    /// The sums of magnitudes that a gain is made of, in the coordinates that the step carries: `|M| kappa + |q|` where
+    /// the step computes it as `M kappa + q`.
+    pub fn made_of(&self, carried: &DMatrix<f64>, gain: &DMatrix<f64>) -> DMatrix<f64> {
+        match (&self.chain, &self.start, &self.law) {
+            (Some(chain), None, Law::Countdown(_) | Law::Sliding(_)) => {
+                let (m, q) = (chain.m.doubles(), chain.q.doubles());
+                let kappa =
+                    m.clone().lu().solve(&(gain - &q)).unwrap_or_else(|| DMatrix::from_element(q.len(), 1, 1.0));
+                m.abs() * kappa.abs() + q.abs()
+            }
+            _ => (carried * gain).abs(),
+        }
+    }
+
     /// Into the coordinates that the step carries: the identity, or `M^-1`.
     pub fn into_frame(&self, gain: &Matrix) -> Option<Matrix> {
         match (&self.chain, &self.start) {

@@ -30,8 +30,9 @@ fn constants(design: &Corrector) -> Vec<Vec<Settled>> {
     let columns = design.at_begin.iter().chain(&design.at_end).chain(std::iter::once(&design.constant));
     all.extend(columns.map(|column| column.iter().flatten().copied().collect()));
     match &design.frame {
-        Frame::Plant { phi, spread } => {
+        Frame::Plant { phi, growth, spread } => {
             all.push(entries(phi));
+            all.push(growth.iter().zip(&design.twofold).filter(|(_, two)| **two).filter_map(|(x, _)| *x).collect());
             if let Some(spread) = spread {
                 all.push(entries(&spread.m));
                 all.push(spread.q.iter().flatten().copied().collect());
@@ -92,7 +93,9 @@ fn predicted(plant: &Plant, design: &Corrector) -> Vec<f64> {
         // A guess of a signal counts once more.
         2.0 * columns.map(|column| size(column[i])).sum::<f64>()
     };
-    carried.iter().enumerate().map(|(i, carried)| carried + known(i)).collect()
+    // Two floats: |Phi - 1| is at most |Phi| + 1, and the state itself is added to what it grows by.
+    let twofold = |i: usize| if design.twofold[i] { 3.0 } else { 0.0 };
+    carried.iter().enumerate().map(|(i, carried)| carried + known(i) + twofold(i)).collect()
 }
 
 /// The largest innovation, for samples, signals and states of magnitude 1.

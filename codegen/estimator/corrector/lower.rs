@@ -11,11 +11,14 @@
 //! what the first convergence left. A prediction outside the output's range starts the observer again, and so does a
 //! state beyond the floats' guard.
 //!
+//! **Two floats.** See `carried`.
+//!
 //! **Turns.** See `turn`.
 //!
 //! **Sliding.** Under the sliding law an innovation that is not explained
 //! makes both counts begin again, and one wider than the output's range starts the observer again.
 
+mod carried;
 mod gain;
 mod given;
 mod predict;
@@ -38,6 +41,7 @@ use crate::step::sensors::{self, Sensors};
 use crate::step::{front, gate, injections, inputs, rates};
 
 use super::{Corrector, Frame, Gain, guard};
+use carried::Carried;
 
 /// Lowers a design for its plant; constants that the target's floats cannot hold are reported.
 ///
@@ -59,6 +63,8 @@ pub fn lower(plant: &Plant, design: &Corrector, ahead: Option<&Ahead>) -> Result
 struct Cells {
     /// n.
     state: Vec<CellId>,
+    /// What these leave out, where a second float carries it.
+    low: Vec<Option<CellId>>,
     /// Calls of the countdown that are left.
     left: CellId,
     /// Good calls, at most one more than convergence takes.
@@ -85,7 +91,8 @@ impl Cells {
             }
             b.float_cell(&label.name, &format!("{} as last estimated", label.name), initial(i))
         });
-        let state = state.collect();
+        let state: Vec<CellId> = state.collect();
+        let low = carried::cells(b, plant, design);
         let lead = calls(design.counting.lead());
         let left = b.index_cell("left", "calls of the countdown that are left", lead);
         let good = b.index_cell("good", &format!("good calls, at most {}", design.valid + 1), 0);
@@ -132,7 +139,7 @@ impl Cells {
             patience: self::calls(design.valid).max(2),
             coasted,
         };
-        (Self { state, left, good, clean, given, phase, due }, sensors)
+        (Self { state, low, left, good, clean, given, phase, due }, sensors)
     }
 }
 
@@ -170,6 +177,8 @@ struct Predicted<'a> {
     complete: Value,
     /// Whether everything was good.
     fine: Value,
+    /// z-, n; of what two floats carry, what it grows by since the last call.
+    moved: Vec<Value>,
     /// z-, n.
     state: Vec<Value>,
 }
@@ -180,8 +189,7 @@ impl Lowering<'_> {
         self.builder.section("correction by the innovation");
         let (innovation, lost) = self.innovation(&predicted);
         let (corrections, left) = self.correct(&innovation, self.counts(&predicted));
-        let corrected: Vec<Value> =
-            predicted.state.iter().zip(corrections).map(|(x, more)| self.builder.add(*x, more)).collect();
+        let corrected = self.corrected(&predicted.moved, &corrections);
         let corrected = self.turned_back(corrected);
         self.builder.section("the first sample starts the observer; so does a state beyond all bounds");
         let again = self.starts_again(&innovation, &corrected, lost);
@@ -237,7 +245,7 @@ impl Lowering<'_> {
     }
 
     /// Whether the observer has no state yet, or one that nothing reasonable leads to.
-    fn starts_again(&mut self, innovation: &[Value], corrected: &[Value], lost: Value) -> Value {
+    fn starts_again(&mut self, innovation: &[Value], corrected: &[Carried], lost: Value) -> Value {
         let bound = self.sensors.guard.bound;
         let none = self.builder.index(0);
         let good = self.builder.read(self.cells.good);
@@ -249,8 +257,8 @@ impl Lowering<'_> {
             let far = self.builder.not(near);
             again = self.builder.or(again, far);
         }
-        for value in corrected {
-            let sane = self.builder.in_range(*value, -bound, bound);
+        for carried in corrected {
+            let sane = self.builder.in_range(carried.high, -bound, bound);
             let wild = self.builder.not(sane);
             again = self.builder.or(again, wild);
         }
@@ -269,15 +277,16 @@ impl Lowering<'_> {
     fn store(
         &mut self,
         predicted: &Predicted,
-        corrected: &[Value],
+        corrected: &[Carried],
         (again, left): (Value, Option<Value>),
     ) -> Vec<Value> {
         let (starts, rests) = (self.starts(&predicted.reading.outputs), self.rests());
         let mut state = Vec::new();
-        for (i, value) in corrected.iter().enumerate() {
+        for (i, carried) in corrected.iter().enumerate() {
             let start = self.builder.select(predicted.complete, starts[i], rests[i]);
-            let value = self.builder.select(again, start, *value);
+            let value = self.builder.select(again, start, carried.high);
             self.builder.set(self.cells.state[i], value);
+            self.store_low(i, carried.low, again);
             state.push(value);
         }
         if let Some(left) = left {

@@ -7,11 +7,14 @@
 
 mod stretch;
 
+use std::ops::Range;
+
 use nalgebra::{DMatrix, RowDVector};
 
 use super::errors::{Errors, Sums};
 use super::rounds::{Rounds, norm};
 use crate::numbers::count;
+use crate::program::Scalar;
 use crate::promise::kernel::Kernel;
 use stretch::{Stretch, Within, square};
 
@@ -92,6 +95,11 @@ impl<'a> Past<'a> {
             disturbances: if kernel.is_some() { errors.plant.disturbances.len() } else { 0 },
             parts: kernel.map_or(1, |kernel| kernel.parts().len()),
             signals: errors.signals.len(),
+            carried: if errors.plant.scalar == Scalar::F32 {
+                errors.order() * (1 + errors.plant.outputs.len())
+            } else {
+                0
+            },
             square: kernel.map_or(0.0, |kernel| kernel.length() * kernel.length()),
         };
         let work = MOST_WORK / count(gains.len() * errors.order());
@@ -135,6 +143,12 @@ impl<'a> Past<'a> {
             // A value at a call ends an interval and begins the next.
             let both = &entering * begin + &transition * (before * (&self.to * end));
             columns.push(DMatrix::from_columns(&[both]));
+        }
+        if self.within.carried > 0 {
+            let carried = &self.to * &self.errors.from_carried;
+            let made_of = self.errors.made_of(place);
+            columns.push(carried.clone());
+            columns.extend(made_of.column_iter().map(|made| &carried * DMatrix::from_diagonal(&made.into_owned())));
         }
         columns.push(&self.to * self.errors.starts());
         let all: Vec<_> = columns.iter().flat_map(DMatrix::column_iter).collect();
@@ -231,7 +245,9 @@ impl<'a> Past<'a> {
     /// Raises the sums of a state to those of the worst call from one on, of its place in the turn. Sums grow, and what the
     /// first sample does dies out: of several calls none has more than the last one's sums and the first one's start.
     fn raise(&self, worst: &mut Sums, state: usize, first: usize) {
-        let all = self.row(state, first, None);
+        let known = 0..self.within.known();
+        let all = self.row(state, first, None, known.clone());
+        self.raise_carried(worst, state, first);
         let mut call = first;
         for group in 0..=MOST_GROUPS {
             let leads = self.leads(state, call);
@@ -246,11 +262,31 @@ impl<'a> Past<'a> {
             let turns = call / GROWTH / self.turn();
             if turns <= 1 {
                 let now = leads * &self.to * self.errors.starts();
-                self.put(worst, state, &self.row(state, call, Some(call)), now.iter().map(|first| first.abs()));
+                self.put(
+                    worst,
+                    state,
+                    &self.row(state, call, Some(call), known.clone()),
+                    now.iter().map(|first| first.abs()),
+                );
                 call += self.turn();
             } else {
                 call += turns * self.turn();
-                self.put(worst, state, &self.row(state, call, Some(call)), later.into_iter());
+                self.put(worst, state, &self.row(state, call, Some(call), known.clone()), later.into_iter());
+            }
+        }
+    }
+
+    /// What rounding adds to a state at a call, over an endless past: that has what the start adds too.
+    fn raise_carried(&self, worst: &mut Sums, state: usize, call: usize) {
+        let known = self.within.known();
+        let row = self.row(state, call, None, known..self.within.causes());
+        let order = self.errors.order();
+        for (group, sums) in row.sums[known..].chunks(order).enumerate() {
+            match group.checked_sub(1) {
+                Some(o) => worst.gained[(state, o)] = worst.gained[(state, o)].max(sums.iter().sum()),
+                None => sums.iter().enumerate().for_each(|(j, sum)| {
+                    worst.carried[(state, j)] = worst.carried[(state, j)].max(*sum);
+                }),
             }
         }
     }
@@ -299,12 +335,12 @@ impl<'a> Past<'a> {
         (turn - 1 - self.errors.place(call) + before) % turn
     }
 
-    /// The sums of a state at a call over so many calls that end with it, or over an endless past.
-    fn row(&self, state: usize, call: usize, calls: Option<usize>) -> Row {
-        let causes: Vec<usize> = (0..self.within.causes()).collect();
+    /// The sums of a state at a call over so many calls that end with it, or over an endless past; of some causes.
+    fn row(&self, state: usize, call: usize, calls: Option<usize>, causes: Range<usize>) -> Row {
+        let causes: Vec<usize> = causes.collect();
         let mut row = Row {
             leads: self.back.row(state).into_owned(),
-            sums: vec![0.0; causes.len()],
+            sums: vec![0.0; self.within.causes()],
             squares: vec![0.0; self.within.outputs],
             work: 0.0,
         };

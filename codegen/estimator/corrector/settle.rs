@@ -41,8 +41,9 @@ fn corrector(pass: &mut Pass, both: Both, signals: &[Signal], counting: Counting
         (Some(c), Some(f)) => coarse.into_frame(c).zip(fine.into_frame(f)).map(|(c, f)| entries(pass, &c, &f)),
         _ => None,
     };
-    let signals = signals.to_vec();
-    Corrector { frame, signals, at_begin, at_end, constant, output, gain, handover, counting, valid: 0, recovery: 0 }
+    let (signals, twofold) = (signals.to_vec(), vec![false; n]);
+    let (valid, recovery) = (0, 0);
+    Corrector { frame, signals, at_begin, at_end, constant, output, gain, handover, twofold, counting, valid, recovery }
 }
 
 fn frame(pass: &mut Pass, [coarse, fine]: Both) -> Frame {
@@ -61,9 +62,20 @@ fn frame(pass: &mut Pass, [coarse, fine]: Both) -> Frame {
                 }),
                 _ => None,
             };
-            Frame::Plant { phi: entries(pass, &coarse.model.phi, &fine.model.phi), spread }
+            let phi = entries(pass, &coarse.model.phi, &fine.model.phi);
+            Frame::Plant { phi, growth: growth(&fine.model.phi), spread }
         }
     }
+}
+
+/// What is below this, as a power of two, is nothing beside the state that grows by it, after any number of calls.
+const LEAST_GROWTH: i64 = -100;
+
+/// Phi - I on its diagonal. Phi has settled, with hundreds of bits to spare.
+fn growth(phi: &Matrix) -> Vec<Option<Settled>> {
+    let least = Real::one(phi.precision()).shifted(LEAST_GROWTH);
+    let each = (0..phi.rows()).map(|i| &phi[(i, i)] - &Real::one(phi.precision()));
+    each.map(|growth| (growth.abs() > least).then(|| Settled::round(&growth))).collect()
 }
 
 fn gain(pass: &mut Pass, [coarse, fine]: Both, counting: Counting) -> Gain {

@@ -13,7 +13,7 @@ mod size;
 
 use crate::diagnostic::{Diagnostic, codes};
 use crate::plant::Plant;
-use crate::program::Scalar;
+pub use crate::promise::rounding::unit;
 use crate::real::{Matrix, Precision, Real, inverse};
 use crate::sampled::settled::Settled;
 
@@ -69,14 +69,6 @@ struct Exact {
     ages: Vec<Option<ExactAges>>,
     through: Matrix,
     model: Model,
-}
-
-/// Half the distance from 1 to the next float.
-pub fn unit(scalar: Scalar) -> f64 {
-    match scalar {
-        Scalar::F32 => f64::from(f32::EPSILON) / 2.0,
-        Scalar::F64 => f64::EPSILON / 2.0,
-    }
 }
 
 /// Multiplications and additions that a row of the window takes, for n states, p outputs and so many signals; what is

@@ -17,14 +17,14 @@ use std::ops::Range;
 
 use crate::diagnostic::{Diagnostic, codes};
 use crate::plant::Plant;
-use crate::program::Scalar;
+use crate::promise::rounding::unit;
 use crate::promise::{Certificate, Realization};
 use crate::real::{Precision, Real, Singular};
 use crate::sampled::settled::Settled;
 
 use super::certificate::{certify, certify_ages};
 use super::solve::Exact;
-use super::{Functional, decide};
+use super::{Functional, decide, rounding};
 use crate::numbers::count;
 use crate::sampled::settle::{round_groups, settle_groups};
 use ages::AtAge;
@@ -209,14 +209,6 @@ fn singular(plant: &Plant, error: Singular) -> Diagnostic {
         .help("`realization = \"fir\"`")
 }
 
-/// Half of the distance from 1 to the next float.
-fn unit(scalar: Scalar) -> f64 {
-    match scalar {
-        Scalar::F32 => f64::from(f32::EPSILON) / 2.0,
-        Scalar::F64 => f64::EPSILON / 2.0,
-    }
-}
-
 impl Functional {
     /// Sum of the magnitudes of all weights of a state.
     pub fn weights(&self, state: usize) -> f64 {
@@ -315,7 +307,7 @@ impl Way {
 pub fn realize(plant: &Plant, request: Request) -> Result<Realized, Vec<Diagnostic>> {
     let decision = decide::decide(plant, &request)?;
     let mut functional = request.functional;
-    let certificate = match &decision.way {
+    let mut certificate = match &decision.way {
         Way::PingPong(pair) => {
             let ages = pair.steps..2 * pair.steps;
             let at = |age| AtAge::new(pair, &functional, &request.exact.model.c, age);
@@ -323,6 +315,7 @@ pub fn realize(plant: &Plant, request: Request) -> Result<Realized, Vec<Diagnost
         }
         _ => certify(plant, &functional, request.exact),
     };
+    certificate.rounding = rounding::bound(plant, &functional, &decision.way, &certificate.noise_gain_l1);
     functional.way = decision.way;
     let (name, notes) = (functional.way.name(), functional.way.note().into_iter().collect());
     Ok(Realized { functional, certificate, name, realizations: decision.list, notes })

@@ -154,6 +154,7 @@ pub(super) fn with_gaps(
     let periods = (gaps.settled - functional.steps).div_ceil(gaps.most);
     (certificate.noise_gain_l1, certificate.noise_gain_l2) = noise_gains(functional, &next, gaps.most, periods);
     certificate.disturbance_gain_l1.iter_mut().flatten().for_each(|gain| *gain = f64::INFINITY);
+    certificate.rounding = Vec::new();
     // The longest gap throughout is the sparsest pattern, but not proved to be the worst.
     certificate.error_bound = vec![None; plant.states.len()];
     certificate

@@ -5,6 +5,8 @@ use crate::decimal::show;
 use crate::diagnostic::{Diagnostic, codes};
 use crate::estimator::window::Functional;
 use crate::estimator::window::certificate::certify;
+use crate::estimator::window::realize::Way;
+use crate::estimator::window::rounding;
 use crate::estimator::window::solve::Choice;
 use crate::numbers::count;
 use crate::plant::Plant;
@@ -78,7 +80,8 @@ pub(super) fn longer(
     choice: &Choice,
 ) -> Result<(Functional, OfWindow), Vec<Diagnostic>> {
     let (functional, exact, _) = settle(plant, signals, delays, steps, choice)?;
-    let certificate = certify(plant, &functional, &exact);
+    let mut certificate = certify(plant, &functional, &exact);
+    certificate.rounding = rounding::bound(plant, &functional, &Way::Fir, &certificate.noise_gain_l1);
     Ok((functional, OfWindow { steps, certificate }))
 }
 

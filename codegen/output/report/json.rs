@@ -101,6 +101,7 @@ fn promised(certificate: &Certificate) -> Value {
         "disturbance_gain_l1": certificate.disturbance_gain_l1,
         "error_bound": certificate.error_bound,
         "initial_gain": certificate.initial_gain,
+        "rounding": certificate.rounding,
     })
 }
 

@@ -6,6 +6,11 @@ use super::Builder;
 /// The most terms that are added one behind the other.
 const CHAIN: usize = 4;
 
+/// The most additions that a term of [`Builder::sum`] goes through.
+pub fn additions(terms: usize) -> usize {
+    if terms <= CHAIN { terms.saturating_sub(1) } else { CHAIN - 1 + additions(terms.div_ceil(CHAIN)) }
+}
+
 impl Builder {
     /// The sum in a fixed, balanced order: neighbours in groups of nearly equal size, none above
     /// four, each group from left to right; then the groups' sums likewise. The empty sum is 0.
@@ -21,6 +26,17 @@ impl Builder {
                 self.sum(&sums)
             }
         }
+    }
+
+    /// `a + b` and what its rounding left out, exactly, whichever is larger (Knuth's two-sum): six operations that
+    /// hold as long as nobody reorders them.
+    pub fn two_sum(&mut self, a: Value, b: Value) -> (Value, Value) {
+        let sum = self.add(a, b);
+        let of_b = self.sub(sum, a);
+        let of_a = self.sub(sum, of_b);
+        let rest_of_b = self.sub(b, of_b);
+        let rest_of_a = self.sub(a, of_a);
+        (sum, self.add(rest_of_a, rest_of_b))
     }
 
     /// `if v <= 0 { 0 - v } else { v }`: +0 for both zeros; NaN stays NaN.

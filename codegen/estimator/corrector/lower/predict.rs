@@ -20,7 +20,8 @@ impl<'a> Lowering<'a> {
         let reading = reading::read(self, &sensors, Some("prediction by the plant"));
         let measured = rates::measured(&mut self.builder, &reading.good, &self.due);
         let complete = all(&mut self.builder, &reading.good);
-        let state = self.completed(&reading.known);
+        let moved = self.completed(&reading.known);
+        let state = self.all_reached(&moved);
         let b = &mut self.builder;
         let values = sensors.values.iter().zip(&reading.signals);
         for (kept, value) in values.chain(sensors.outputs.iter().zip(&reading.outputs)) {
@@ -28,14 +29,14 @@ impl<'a> Lowering<'a> {
         }
         let fine: Vec<Value> = reading.known.good().chain([measured]).collect();
         let fine = all(b, &fine);
-        Predicted { reading, measured, complete, fine, state }
+        Predicted { reading, measured, complete, fine, moved, state }
     }
 
-    /// What the last state and what needs no sample make of the state now.
+    /// What the last state and what needs no sample make of the state now; of what two floats carry, what it grows by.
     fn carried(&mut self, known: &Known) -> Vec<Value> {
         let state: Vec<Value> = self.cells.state.iter().map(|cell| self.builder.read(*cell)).collect();
         let design = self.design;
-        let Frame::Plant { phi, .. } = &design.frame else { return self.integrated(&state) };
+        let Frame::Plant { phi, growth, .. } = &design.frame else { return self.integrated(&state) };
         let (sensors, b) = (&self.sensors, &mut self.builder);
         let mut begin = Vec::new();
         for (s, now) in known.values.iter().enumerate() {
@@ -45,9 +46,11 @@ impl<'a> Lowering<'a> {
             });
         }
         let mut next = Vec::new();
-        for (i, phi) in phi.iter().enumerate() {
+        for i in 0..phi.len() {
             let mut terms = Vec::new();
-            push_products(b, &mut terms, phi, &state);
+            self.push_low(i, &mut terms);
+            let (sensors, b) = (&self.sensors, &mut self.builder);
+            push_products(b, &mut terms, &design.prediction(phi, growth, i), &state);
             for (s, term) in sensors.terms.iter().enumerate() {
                 push_products(b, &mut terms, &[design.at_begin[s][i]], &[begin[s]]);
                 if let (Some(known), false) = (known.values[s], term.needs_samples) {
@@ -62,11 +65,14 @@ impl<'a> Lowering<'a> {
 
     /// Implicit Euler of the chain in scaled coordinates: each the sum of itself and all above it.
     fn integrated(&mut self, state: &[Value]) -> Vec<Value> {
-        let mut next = state.to_vec();
-        for i in (0..state.len() - 1).rev() {
-            next[i] = self.builder.add(state[i], next[i + 1]);
+        let mut moved = state.to_vec();
+        let mut above: Option<Value> = None;
+        for i in (0..state.len()).rev() {
+            let own = self.cells.low[i].map_or(state[i], |cell| self.builder.read(cell));
+            moved[i] = above.map_or(own, |above| self.builder.add(own, above));
+            above = Some(self.reached(i, moved[i]));
         }
-        next
+        moved
     }
 
     /// The same with what needs the samples of now.
@@ -125,6 +131,7 @@ impl<'a> Foretells<'a> for Lowering<'a> {
                 *x = b.sum(&terms);
             }
         }
+        let state = self.all_reached(&state);
         Some(self.shown(&state).into_iter().map(Foretold::at).collect())
     }
 

@@ -15,6 +15,7 @@ use crate::step::front;
 
 use super::super::Frame;
 use super::Lowering;
+use super::carried::Carried;
 
 impl Lowering<'_> {
     /// The outputs that wrap.
@@ -24,11 +25,12 @@ impl Lowering<'_> {
     }
 
     /// The state with whole turns taken off.
-    pub(super) fn turned_back(&mut self, corrected: Vec<Value>) -> Vec<Value> {
+    pub(super) fn turned_back(&mut self, corrected: Vec<Carried>) -> Vec<Carried> {
         let mut state = corrected;
         let scalar = self.plant.scalar;
         for (o, wrap) in self.wrapped() {
-            let shown = self.shown(&state)[o];
+            let high: Vec<Value> = state.iter().map(|carried| carried.high).collect();
+            let shown = self.shown(&high)[o];
             let turns = front::turns(&mut self.builder, shown, round(&wrap.turn, scalar));
             for (i, x) in state.iter_mut().enumerate() {
                 let size = match self.design.frame {
@@ -40,7 +42,7 @@ impl Lowering<'_> {
                 if let Some(size) = size {
                     let size = self.builder.float(round(&size, scalar));
                     let whole = self.builder.mul(turns, size);
-                    *x = self.builder.sub(*x, whole);
+                    *x = self.taken_off(*x, whole);
                 }
             }
         }

@@ -7,7 +7,7 @@ use nalgebra::{DMatrix, RowDVector};
 
 use super::super::rounds::norm;
 
-/// Which columns are of one cause: noise, disturbances by parts of an interval, signals.
+/// Which columns are of one cause: noise, disturbances by parts of an interval, signals, what rounding adds.
 #[derive(Clone, Debug)]
 pub(super) struct Within {
     /// p.
@@ -18,14 +18,22 @@ pub(super) struct Within {
     pub(super) parts: usize,
     /// Known signals.
     pub(super) signals: usize,
+    /// What rounding adds, where that is asked for: to each coordinate that the step carries, and, per output, to each by
+    /// the terms that its correction is the sum of.
+    pub(super) carried: usize,
     /// Length of a part, squared, s^2; 0 for a discrete plant.
     pub(super) square: f64,
 }
 
 impl Within {
+    /// Causes outside the step.
+    pub(super) fn known(&self) -> usize {
+        self.outputs + self.disturbances + self.signals
+    }
+
     /// Causes.
     pub(super) fn causes(&self) -> usize {
-        self.outputs + self.disturbances + self.signals
+        self.known() + self.carried
     }
 
     /// The columns of a cause.

@@ -26,7 +26,7 @@ pub fn certify(
         noise_gain_l2: zeros(plant.outputs.len()),
         disturbance_gain_l1: zeros(plant.disturbances.len()),
         error_bound: vec![Some(0.0); n],
-        initial_gain: Vec::new(),
+        ..Certificate::default()
     };
     let mut phases = Vec::new();
     for phase in irregular.pattern.phases() {

@@ -126,7 +126,7 @@ impl PingPong {
                     .collect(),
             );
         }
-        let unit = super::unit(plant.scalar);
+        let unit = crate::promise::rounding::unit(plant.scalar);
         let copied = self.copy.roundings();
         let mut load = Load { gain: 1.0, round_off: vec![0.0; n], ..Load::default() };
         for age in ages {

@@ -148,7 +148,7 @@ impl Recursive {
             .collect();
         // What a rounding of f leaves in the estimate, over its whole life.
         let echoes = self.echoes();
-        let unit = super::unit(plant.scalar);
+        let unit = crate::promise::rounding::unit(plant.scalar);
         let mut load = Load { gain: 1.0, round_off: Vec::new(), ..Load::default() };
         for i in 0..n {
             let echo: f64 = echoes[i].iter().zip(&added).map(|(e, x)| e * x).sum();

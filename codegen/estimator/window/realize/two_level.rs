@@ -198,7 +198,7 @@ impl TwoLevel {
             weights.map(|w| ages.clone().map(|age| w.at(i, age).double.abs()).sum::<f64>()).sum()
         };
         let direct = self.direct.magnitudes();
-        let unit = super::unit(plant.scalar);
+        let unit = crate::promise::rounding::unit(plant.scalar);
         // Each term of a sum is rounded with its weight, with its product, and once in each later addition.
         let chain = count(2 + whole * (f + n) + tail * signals + 4);
         let within = count(block * p + 3) + chain;
