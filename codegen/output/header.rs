@@ -255,7 +255,24 @@ fn gains(generated: &Generated, certificate: &Certificate) -> Vec<String> {
         let bounds = certificate.error_bound.iter().map(|b| b.map_or("-".into(), short)).collect();
         row(format!("error bound from {from}"), bounds);
     }
+    let numbers = |bounds: &[Option<f64>]| bounds.iter().map(|b| b.map_or("-".into(), short)).collect::<Vec<String>>();
+    let lossy = &certificate.error_bound_with_losses;
+    if lossy.iter().any(Option::is_some) {
+        row("error bound with samples lost".into(), numbers(lossy));
+    }
+    let mut undetermined = Vec::new();
+    for (output, without) in plant.outputs.iter().zip(&certificate.error_bound_without) {
+        let name = &output.label.name;
+        match without {
+            Some(bounds) if bounds.iter().any(Option::is_some) => {
+                row(format!("error bound without {name}"), numbers(bounds));
+            }
+            Some(_) => undetermined.push(format!("  without {name} the others determine the state, with larger gains")),
+            None => undetermined.push(format!("  without {name} the state is not determined")),
+        }
+    }
     let mut lines = align(&rows);
+    lines.extend(undetermined);
     if !bounded && plant.outputs.iter().all(|o| o.noise.is_some()) {
         lines.push(format!("  {}", generated.design.estimator.unbounded(certificate)));
     }

@@ -55,7 +55,7 @@ pub fn certify(plant: &Plant, knowns: &[Known], map: &ErrorMap, calls: &Calls) -
     let through_terms = through_terms(plant, knowns, map, &maps);
     let bound = |i: usize| error_bound(plant, &noise_gain_l1[i], &disturbance_gain_l1[i], through_terms.as_ref(), i);
     let error_bound = (0..n).map(bound).collect();
-    Certificate { noise_gain_l1, noise_gain_l2, disturbance_gain_l1, error_bound, initial_gain: Vec::new() }
+    Certificate { noise_gain_l1, noise_gain_l2, disturbance_gain_l1, error_bound, ..Certificate::default() }
 }
 
 /// Per state and column, the largest over the calls of a period.

@@ -31,7 +31,7 @@ pub fn certify(plant: &Plant, functional: &Functional, exact: &Exact) -> Certifi
     let error_bound =
         (0..n).map(|i| error_bound(plant, functional, &noise_gain_l1[i], &disturbance_gain_l1[i], &knowns(i)));
     let error_bound = error_bound.collect();
-    Certificate { noise_gain_l1, noise_gain_l2, disturbance_gain_l1, error_bound, initial_gain: Vec::new() }
+    Certificate { noise_gain_l1, noise_gain_l2, disturbance_gain_l1, error_bound, ..Certificate::default() }
 }
 
 /// Sums up a functional whose window grows from N+1 to 2N samples: the worst of all its ages.
@@ -43,7 +43,7 @@ pub fn certify_ages(plant: &Plant, functional: &Functional, ages: impl Iterator<
         noise_gain_l2: vec![vec![0.0; p]; n],
         disturbance_gain_l1: vec![vec![0.0; d]; n],
         error_bound: vec![Some(0.0); n],
-        initial_gain: Vec::new(),
+        ..Certificate::default()
     };
     for age in ages {
         let mut disturbed = DMatrix::from_element(n, d, if kernel.is_some() { 0.0 } else { f64::INFINITY });
