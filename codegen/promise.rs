@@ -47,6 +47,12 @@ pub struct Certificate {
     /// range, or up to 1 where none is declared, and inputs up to 1; in proportion for larger ones. Empty in double
     /// precision, and where there is no such bound.
     pub rounding: Vec<f64>,
+    /// Per state: the bound that the status keeps whatever samples are lost, for the declared noise and disturbances;
+    /// `None` where a bound is missing. Empty where nothing is left out.
+    pub error_bound_with_losses: Vec<Option<f64>>,
+    /// Per output, where samples are left out and there are several: the error bound while it alone is lost, per state;
+    /// `None` where the others do not determine the state. Empty elsewhere.
+    pub error_bound_without: Vec<Option<Vec<Option<f64>>>>,
 }
 
 /// How the estimate comes to its bound.

@@ -145,10 +145,12 @@ impl Estimator for Functional {
         if curves { Between::Cubics } else { Between::Lines }
     }
 
-    fn unbounded(&self, _promised: &Certificate) -> &'static str {
+    fn unbounded(&self, promised: &Certificate) -> &'static str {
         let moves =
             self.irregular.as_ref().is_some_and(|it| self.gaps.is_some() || it.ages.iter().any(Option::is_some));
-        if moves {
+        if moves && promised.error_bound_with_losses.iter().any(Option::is_some) {
+            "the gains are of regular gaps; whenever samples come, the bound is that with samples lost"
+        } else if moves {
             "no error bound: it depends on when samples come; the gains are of regular gaps"
         } else if self.gaps.is_some() {
             "no error bound: what enters between measurements is carried on"

@@ -70,7 +70,7 @@ pub const METHOD: Method = Method {
         (
             "missing",
             "\"predicted\" | \"left-out\"",
-            "the model's prediction stands in for a missing sample (default), or the step solves for those that are there",
+            "the model's prediction stands in for a missing sample, or the step solves for those that are there",
         ),
         ("realization", REALIZATION_CHOICES, "how the step computes it"),
     ],
@@ -91,6 +91,8 @@ struct Keys {
     missing: (Option<Missing>, Range<usize>),
     wanted: Wanted,
     wanted_span: Range<usize>,
+    /// Whether a key says how a sum with constant weights is computed.
+    fixed: bool,
 }
 
 /// Which of the unbiased weights are wanted.
@@ -101,6 +103,7 @@ enum Weighting {
 }
 
 fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
+    let fixed = ["weights", "hold", "realization"].iter().any(|key| table.has(key));
     let windows = several::read(table);
     if windows.is_none() && !table.has("window") {
         table.missing(
@@ -117,7 +120,7 @@ fn read(table: &mut Table) -> Option<Arc<dyn Keyed>> {
     let missing = (missing, missing_span);
     let wanted_span = table.key_span("realization");
     let wanted = table.choice("realization", &WORDS, Wanted::Auto);
-    Some(Arc::new(Keys { windows: windows?, weighting, weights_span, hold, missing, wanted, wanted_span }))
+    Some(Arc::new(Keys { windows: windows?, weighting, weights_span, hold, missing, wanted, wanted_span, fixed }))
 }
 
 /// Bits at which observability is judged; a tolerance of half of them is far from any rounding.
@@ -155,8 +158,12 @@ impl Keyed for Keys {
             if !found.is_empty() {
                 return Err(found);
             }
-            let pattern = rates::pattern(plant, delays, steps, &span)?;
-            return self.left_out(plant, &signals, steps, pattern, condition);
+            let pattern = rates::pattern(plant, delays.clone(), steps, &span)?;
+            let design = self.left_out(plant, &signals, steps, pattern, condition);
+            // What nobody asked for is no reason to refuse.
+            if design.is_ok() || self.spared(plant).is_empty() {
+                return design;
+            }
         }
         let choice = self.choice(plant, &delays, steps)?;
         let (mut functional, exact, mut numerics) = settle(plant, &signals, &delays, steps, &choice)?;

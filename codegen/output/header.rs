@@ -277,14 +277,27 @@ fn gains(generated: &Generated, certificate: &Certificate) -> Vec<String> {
         row(format!("error bound from {from}"), bounds);
     }
     let single = plant.scalar == Scalar::F32;
+    let numbers = |bounds: &[Option<f64>]| bounds.iter().map(|b| b.map_or("-".into(), short)).collect::<Vec<String>>();
+    let lossy = &certificate.error_bound_with_losses;
+    if lossy.iter().any(Option::is_some) {
+        row("error bound with samples lost".into(), numbers(lossy));
+    }
+    let mut undetermined = Vec::new();
+    for (output, without) in plant.outputs.iter().zip(&certificate.error_bound_without) {
+        let name = &output.label.name;
+        match without {
+            Some(bounds) if bounds.iter().any(Option::is_some) => {
+                row(format!("error bound without {name}"), numbers(bounds));
+            }
+            Some(_) => undetermined.push(format!("  without {name} the others determine the state, with larger gains")),
+            None => undetermined.push(format!("  without {name} the state is not determined")),
+        }
+    }
     if single && !certificate.rounding.is_empty() {
-        rows.push(
-            std::iter::once("rounding in f32".to_owned())
-                .chain(certificate.rounding.iter().map(|r| short(*r)))
-                .collect(),
-        );
+        row("rounding in f32".into(), certificate.rounding.iter().map(|r| short(*r)).collect());
     }
     let mut lines = align(&rows);
+    lines.extend(undetermined);
     if !bounded && plant.outputs.iter().all(|o| o.noise.is_some()) {
         lines.push(format!("  {}", generated.design.estimator.unbounded(certificate)));
     }

@@ -132,17 +132,19 @@ impl Ahead {
 
     /// A certificate as that of the moved answer: from above, by the magnitudes of `e^{A a}`.
     pub fn certify(&self, plant: &Plant, certificate: &mut Certificate) {
-        let bounded = self.bound(plant, certificate);
+        let moved = |bounds: &mut Vec<Option<f64>>| match self.bound(plant, bounds) {
+            Some(moved) => *bounds = moved.into_iter().map(Some).collect(),
+            None => bounds.fill(None),
+        };
+        moved(&mut certificate.error_bound);
+        moved(&mut certificate.error_bound_with_losses);
+        certificate.error_bound_without.iter_mut().flatten().for_each(moved);
         self.carry(&mut certificate.noise_gain_l1);
         self.carry(&mut certificate.noise_gain_l2);
         self.carry(&mut certificate.disturbance_gain_l1);
         self.carry(&mut certificate.initial_gain);
         self.round(plant, &mut certificate.rounding);
         add(&mut certificate.disturbance_gain_l1, &Self::disturbed(plant));
-        match bounded {
-            Some(bounds) => certificate.error_bound = bounds.into_iter().map(Some).collect(),
-            None => certificate.error_bound.fill(None),
-        }
     }
 
     /// What rounding adds to the moved answer: a state is rounded by at least half of its last bit, and the move has so
@@ -208,8 +210,8 @@ impl Ahead {
     }
 
     /// The largest error, where there is one for the estimate of now.
-    fn bound(&self, plant: &Plant, certificate: &Certificate) -> Option<Vec<f64>> {
-        let now: Vec<f64> = certificate.error_bound.iter().copied().collect::<Option<_>>()?;
+    fn bound(&self, plant: &Plant, now: &[Option<f64>]) -> Option<Vec<f64>> {
+        let now: Vec<f64> = now.iter().copied().collect::<Option<_>>()?;
         let disturbed = Self::disturbed(plant);
         let mut bounds = Vec::new();
         for (i, row) in self.magnitudes().iter().enumerate() {

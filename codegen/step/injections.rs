@@ -48,6 +48,15 @@ pub fn initial_output(plant: &Plant, output: usize, scalar: Scalar) -> f64 {
     if value.is_finite() && !far { value } else { 0.0 }
 }
 
+/// Whether an injection is evaluated with an output's samples.
+pub fn needed(plant: &Plant, output: usize) -> bool {
+    let shows = |symbol: &Symbol| match symbol {
+        Symbol::State(j) => plant.states[*j].measured.iter().any(|(o, _)| *o == output),
+        _ => false,
+    };
+    plant.injections.iter().any(|injection| injection.symbols().iter().any(shows))
+}
+
 /// Refuses constants of the injections and of the start that the target's floats cannot hold.
 pub fn check(plant: &Plant) -> Result<(), Vec<Diagnostic>> {
     let mut found = Vec::new();

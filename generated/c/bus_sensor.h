@@ -16,18 +16,20 @@
  * Method     window: least squares over the samples that are there of the last 51 (0.05 s at 0.001 s)
  * Converged  from call 51 (0.05 s after the first), whatever the initial state
  *            a missing sample is left out: with fewer samples the gains are larger, without noise the estimate is as exact
- *            where those that are there do not determine the state, the model's prediction stands in (COASTING)
+ *            CONVERGED while the bound with samples lost holds; beyond it COASTING: the estimate of the samples that are there,
+ *            or, where they do not determine the state or hardly do, the model's prediction, the latter for three windows at most
  *            each sample counts at its own time; the gains are of samples of age 0
  *
- *                                  q       dq     i
- *   unit                           rad     rad/s  A
- *   noise gain from y, worst case  1.73    76.64  13.7
- *   noise gain from y, white       0.3001  12.21  2.182
- *   no error bound: it depends on when samples come; the gains are of regular gaps
+ *                                  q         dq       i
+ *   unit                           rad       rad/s    A
+ *   noise gain from y, worst case  1.73      76.64    13.7
+ *   noise gain from y, white       0.3001    12.21    2.182
+ *   error bound with samples lost  3.623e-4  0.01579  0.002824
+ *   the gains are of regular gaps; whenever samples come, the bound is that with samples lost
  *
- * Cost       2732 multiplications, 2374 additions, 6 divisions a call, the same for every call
- * Memory     state 1680 bytes, constants 3600 bytes
- *            at most: stack 6772 bytes, flash 17348 bytes without elementary functions
+ * Cost       2751 multiplications, 2435 additions, 13 divisions a call, the same for every call
+ * Memory     state 1688 bytes, constants 3600 bytes
+ *            at most: stack 7764 bytes, flash 19548 bytes without elementary functions
  *
  * Contract:
  *  1. No heap, no recursion, no global or static mutable data, no file or console, no library.
@@ -92,6 +94,7 @@ typedef struct {
     double next_dq;    /* dq as the model predicts it, as far as known */
     double next_i;     /* i as the model predicts it, as far as known */
     uint32_t known;    /* whether that comes from an estimate */
+    uint32_t poor;     /* calls with samples since these were worth more than a prediction */
     uint32_t since;    /* calls since a sample was accepted */
     double age_y[51];  /* ages of these over the oldest, of y by slot */
 } bus_sensor_state;

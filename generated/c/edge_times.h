@@ -11,7 +11,8 @@
  * Method     window: least squares over the samples that are there of the last 51 (0.05 s at 0.001 s)
  * Converged  from call 51 (0.05 s after the first), whatever the initial state
  *            a missing sample is left out: with fewer samples the gains are larger, without noise the estimate is as exact
- *            where those that are there do not determine the state, the model's prediction stands in (COASTING)
+ *            CONVERGED while the bound with samples lost holds; beyond it COASTING: the estimate of the samples that are there,
+ *            or, where they do not determine the state or hardly do, the model's prediction, the latter for three windows at most
  *            each sample counts at its own time; the gains are of samples of age 0
  *
  *                                     q         dq        ddq
@@ -22,9 +23,9 @@
  *   no error bound: it depends on when samples come; the gains are of regular gaps
  *   on top: rounding in f32, of which there is no bound here
  *
- * Cost       1446 multiplications, 1397 additions, 6 divisions a call, the same for every call
- * Memory     state 644 bytes, constants 1800 bytes
- *            at most: stack 2468 bytes, flash 10888 bytes without elementary functions
+ * Cost       1463 multiplications, 1456 additions, 12 divisions a call, the same for every call
+ * Memory     state 648 bytes, constants 1800 bytes
+ *            at most: stack 3028 bytes, flash 12968 bytes without elementary functions
  *
  * Contract:
  *  1. No heap, no recursion, no global or static mutable data, no file or console, no library.
@@ -82,6 +83,7 @@ typedef struct {
     float next_dq;      /* dq as the model predicts it, as far as known */
     float next_ddq;     /* ddq as the model predicts it, as far as known */
     uint32_t known;     /* whether that comes from an estimate */
+    uint32_t poor;      /* calls with samples since these were worth more than a prediction */
     uint32_t since;     /* calls since a sample was accepted */
     float age_edge[51]; /* ages of these over the oldest, of edge by slot */
 } edge_times_state;

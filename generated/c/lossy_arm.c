@@ -395,7 +395,6 @@ typedef struct {
     uint32_t t95;
     float t97;
     uint32_t t107;
-    float t130;
     float t131;
     float t132;
     float t133;
@@ -403,10 +402,14 @@ typedef struct {
     float t135;
     float t136;
     float t137;
-    float t240;
-    float t241;
-    lossy_arm_status t249;
-    int flags[4]; /* t3, t19, t44, t113 */
+    float t138;
+    float t139;
+    float t251;
+    float t254;
+    float t292;
+    float t293;
+    lossy_arm_status t301;
+    int flags[8]; /* t3, t19, t44, t113, t241, t243, t248, t249 */
 } lossy_arm_work;
 
 /* Part 1 of a step. */
@@ -427,7 +430,7 @@ static void lossy_arm_part_1(const lossy_arm_state *state, const lossy_arm_measu
     const float t16 = t8 * 3.019916e-7f;
     work->t17 = t14 - t16;
     const float t18 = inputs->u;
-    work->flags[1] = (-1e28f <= t18) && (t18 <= 1e28f);
+    work->flags[1] = (-1e29f <= t18) && (t18 <= 1e29f);
     const float t20 = state->u[work->t1];
     work->t21 = work->flags[1] ? t18 : t20;
 }
@@ -537,148 +540,197 @@ static void lossy_arm_part_3(lossy_arm_state *state, lossy_arm_work *work)
     /* rows of the window, oldest first; those without a sample count nothing */
     const uint32_t t114 = (work->t22 < 25U) ? (work->t22 + 1U) : 0U;
     const float t117 = state->has_y[t114];
-    const float t118 = t117 * 0.19611613f;
-    const float t119 = t117 * -0.32947975f;
-    const float t120 = t118 * t118;
-    const float t121 = 0.0f + t120;
-    const float t122 = t118 * t119;
-    const float t123 = 0.0f + t122;
-    const float t124 = t119 * t119;
-    const float t125 = 0.0f + t124;
-    const float t126 = t118 * 0.0f;
-    const float t127 = 0.0f + t126;
-    const float t128 = t119 * 0.0f;
-    const float t129 = 0.0f + t128;
-    work->t130 = t121;
-    work->t131 = t123;
-    work->t132 = t125;
-    work->t133 = t127;
-    work->t134 = t129;
-    work->t135 = 0.0f;
+    const float t118 = 0.0f + t117;
+    const float t119 = t117 * 0.19611613f;
+    const float t120 = t117 * -0.32947975f;
+    const float t121 = t119 * t119;
+    const float t122 = 0.0f + t121;
+    const float t123 = t119 * t120;
+    const float t124 = 0.0f + t123;
+    const float t125 = t120 * t120;
+    const float t126 = 0.0f + t125;
+    const float t127 = t119 * 0.0f;
+    const float t128 = 0.0f + t127;
+    const float t129 = t120 * 0.0f;
+    const float t130 = 0.0f + t129;
+    work->t131 = t122;
+    work->t132 = t124;
+    work->t133 = t126;
+    work->t134 = t128;
+    work->t135 = t130;
     work->t136 = 0.0f;
     work->t137 = 0.0f;
-    uint32_t t138 = t114;
+    work->t138 = 0.0f;
+    work->t139 = t118;
+    uint32_t t140 = t114;
     for (uint32_t row = 0U; row < 25U; ++row) {
         const float *const gains = LOSSY_ARM_ROWS[row];
-        const uint32_t t139 = (t138 < 25U) ? (t138 + 1U) : 0U;
-        const float t140 = state->sin_q[t138];
-        const float t141 = state->u[t139];
-        const float t142 = state->sin_q[t139];
-        const float t144 = 0.0019980012f * work->t136;
-        const float t145 = work->t135 + t144;
-        const float t147 = -4.6631685e-5f * t140;
-        const float t148 = 1.5989339e-5f * t141;
-        const float t149 = -2.332167e-5f * t142;
-        const float t150 = t148 + t149;
-        const float t151 = t145 + t147;
-        const float t152 = t151 + t150;
-        const float t154 = 0.998002f * work->t136;
-        const float t156 = -0.034953367f * t140;
-        const float t157 = 0.01598401f * t141;
-        const float t158 = -0.03497668f * t142;
-        const float t159 = t157 + t158;
-        const float t160 = t154 + t156;
-        const float t161 = t160 + t159;
-        const float t162 = state->y[t138];
-        const float t163 = state->y[t139];
-        const float t164 = t163 - t162;
-        const float t165 = t164 * 0.15915494f;
-        const float t166 = t165 + 1.2582912e7f;
-        const float t167 = t166 - 1.2582912e7f;
-        const float t168 = t167 * 6.2831855f;
-        const float t169 = t164 - t168;
-        const float t170 = work->t137 + t169;
-        const float t171 = gains[0];
-        const float t172 = gains[1];
-        const float t173 = state->has_y[t139];
-        const float t174 = t170 - t152;
-        const float t175 = t173 * t171;
-        const float t176 = t173 * t172;
-        const float t177 = t175 * t175;
-        const float t178 = work->t130 + t177;
-        const float t179 = t175 * t176;
-        const float t180 = work->t131 + t179;
-        const float t181 = t176 * t176;
-        const float t182 = work->t132 + t181;
-        const float t183 = t175 * t174;
-        const float t184 = work->t133 + t183;
-        const float t185 = t176 * t174;
-        const float t186 = work->t134 + t185;
-        work->t130 = t178;
-        work->t131 = t180;
-        work->t132 = t182;
-        work->t133 = t184;
-        work->t134 = t186;
-        work->t135 = t152;
-        work->t136 = t161;
-        work->t137 = t170;
-        t138 = t139;
+        const uint32_t t141 = (t140 < 25U) ? (t140 + 1U) : 0U;
+        const float t142 = state->sin_q[t140];
+        const float t143 = state->u[t141];
+        const float t144 = state->sin_q[t141];
+        const float t146 = 0.0019980012f * work->t137;
+        const float t147 = work->t136 + t146;
+        const float t149 = -4.6631685e-5f * t142;
+        const float t150 = 1.5989339e-5f * t143;
+        const float t151 = -2.332167e-5f * t144;
+        const float t152 = t150 + t151;
+        const float t153 = t147 + t149;
+        const float t154 = t153 + t152;
+        const float t156 = 0.998002f * work->t137;
+        const float t158 = -0.034953367f * t142;
+        const float t159 = 0.01598401f * t143;
+        const float t160 = -0.03497668f * t144;
+        const float t161 = t159 + t160;
+        const float t162 = t156 + t158;
+        const float t163 = t162 + t161;
+        const float t164 = state->y[t140];
+        const float t165 = state->y[t141];
+        const float t166 = t165 - t164;
+        const float t167 = t166 * 0.15915494f;
+        const float t168 = t167 + 1.2582912e7f;
+        const float t169 = t168 - 1.2582912e7f;
+        const float t170 = t169 * 6.2831855f;
+        const float t171 = t166 - t170;
+        const float t172 = work->t138 + t171;
+        const float t173 = gains[0];
+        const float t174 = gains[1];
+        const float t175 = state->has_y[t141];
+        const float t176 = work->t139 + t175;
+        const float t177 = t172 - t154;
+        const float t178 = t175 * t173;
+        const float t179 = t175 * t174;
+        const float t180 = t178 * t178;
+        const float t181 = work->t131 + t180;
+        const float t182 = t178 * t179;
+        const float t183 = work->t132 + t182;
+        const float t184 = t179 * t179;
+        const float t185 = work->t133 + t184;
+        const float t186 = t178 * t177;
+        const float t187 = work->t134 + t186;
+        const float t188 = t179 * t177;
+        const float t189 = work->t135 + t188;
+        work->t131 = t181;
+        work->t132 = t183;
+        work->t133 = t185;
+        work->t134 = t187;
+        work->t135 = t189;
+        work->t136 = t154;
+        work->t137 = t163;
+        work->t138 = t172;
+        work->t139 = t176;
+        t140 = t141;
     }
 }
 
 /* Part 4 of a step. */
-static void lossy_arm_part_4(lossy_arm_state *state, lossy_arm_work *work)
+static void lossy_arm_part_4(const lossy_arm_state *state, lossy_arm_work *work)
 {
-    /* the window's start from the samples that are there */
-    const int t188 = 0.015625f < work->t130;
-    const float t189 = t188 ? work->t130 : 1.0f;
-    const float t190 = work->t131 / t189;
-    const float t191 = t190 * work->t131;
-    const float t192 = work->t132 - t191;
-    const float t193 = t190 * work->t133;
-    const float t194 = work->t134 - t193;
-    const int t195 = 0.015625f < t192;
-    const int t196 = t188 && t195;
-    const float t197 = t195 ? t192 : 1.0f;
-    const float t198 = t194 / t197;
-    const float t199 = work->t131 * t198;
-    const float t200 = work->t133 - t199;
-    const float t201 = t200 / t189;
-    const float t202 = 0.19611613f * t201;
-    const float t204 = 0.32425013f * t198;
-    const float t205 = t202 + t204;
-    const float t206 = t205 + work->t135;
-    const float t208 = 12.750456f * t198;
-    const float t209 = t208 + work->t136;
-    const float t210 = state->y[work->t22];
-    const float t211 = t210 - work->t137;
-    const float t212 = t206 + t211;
+    /* the state from the samples that are there, and its variance */
+    const float t195 = 0.0001f * work->t131;
+    const float t196 = t195 + 9.8607613e-32f;
+    const float t197 = 0.0001f * work->t133;
+    const float t198 = t197 + 9.8607613e-32f;
+    const int t199 = t196 < work->t131;
+    const float t200 = t199 ? work->t131 : 1.0f;
+    const float t201 = work->t132 / t200;
+    const float t202 = t201 * work->t132;
+    const float t203 = work->t133 - t202;
+    const float t204 = t201 * work->t134;
+    const float t205 = work->t135 - t204;
+    const float t206 = work->t134 / t200;
+    const float t207 = t201 * 0.09805807f;
+    const float t208 = 0.16212507f - t207;
+    const float t209 = 0.09805807f * t206;
+    const float t210 = 0.09805807f / t200;
+    const float t211 = 0.09805807f * t210;
+    const int t212 = t198 < t203;
+    const int t213 = t199 && t212;
+    const float t214 = t212 ? t203 : 1.0f;
+    const float t215 = t205 / t214;
+    const float t216 = t208 * t215;
+    const float t217 = t209 + t216;
+    const float t218 = t208 / t214;
+    const float t219 = t208 * t218;
+    const float t220 = t211 + t219;
+    const float t221 = 0.19922587f * t215;
+    const float t222 = 0.19922587f / t214;
+    const float t223 = 0.19922587f * t222;
+    const float t225 = 2.0f * t217;
+    const float t227 = 64.0f * t221;
 
+    /* what it is worth */
+    const float t229 = t220 * 0.38187814f;
+    const int t230 = 0.0f < t229;
+    const float t231 = t230 ? t229 : 0.0f;
+    const float t233 = t223 * 0.31925517f;
+    const int t234 = t231 < t233;
+    const float t235 = t234 ? t233 : t231;
+    const int t240 = t235 <= 877401.3f;
+    work->flags[4] = t213 && t240;
+    const int t242 = t235 <= 0.8774013f;
+    work->flags[5] = work->flags[4] && t242;
+    const float t244 = 1.0044637f * work->t139;
+    const float t245 = t244 + 0.1165732f;
+    const float t246 = t235 * t245;
+    const int t247 = t246 <= 1.0f;
+    work->flags[6] = work->flags[5] && t247;
+    work->flags[7] = 0.0f < work->t139;
+    const float t250 = t225 + work->t136;
+    work->t251 = t227 + work->t137;
+    const float t252 = state->y[work->t22];
+    const float t253 = t252 - work->t138;
+    work->t254 = t250 + t253;
+}
+
+/* Part 5 of a step. */
+static void lossy_arm_part_5(lossy_arm_state *state, lossy_arm_work *work)
+{
     /* without enough samples, the model's prediction */
-    const float t214 = work->t82 * -6.2831855f;
-    const float t215 = work->t76 + t214;
-    const int t216 = (-1e28f <= t215) && (t215 <= 1e28f);
-    const int t217 = work->flags[2] && t216;
-    const float t218 = t196 ? t212 : t215;
-    const int t219 = (-1e28f <= work->t79) && (work->t79 <= 1e28f);
-    const int t220 = t217 && t219;
-    const float t221 = t196 ? t209 : work->t79;
-    const int t222 = t196 || t220;
-    const int t223 = work->flags[3] && t222;
-    const uint32_t t224 = t223 ? 1U : 0U;
-    state->known = t224;
-    const float t226 = 0.0019980012f * t221;
-    const float t227 = t218 + t226;
-    const float t229 = -4.6631685e-5f * work->t73;
-    const float t230 = t227 + t229;
-    const int t231 = (-1e28f <= t230) && (t230 <= 1e28f);
-    const float t232 = t231 ? t230 : 0.0f;
-    state->next_q = t232;
-    const float t234 = 0.998002f * t221;
-    const float t236 = -0.034953367f * work->t73;
-    const float t237 = t234 + t236;
-    const int t238 = (-1e28f <= t237) && (t237 <= 1e28f);
-    const float t239 = t238 ? t237 : 0.0f;
-    state->next_dq = t239;
+    const float t256 = work->t82 * -6.2831855f;
+    const float t257 = work->t76 + t256;
+    const int t258 = (-1e29f <= t257) && (t257 <= 1e29f);
+    const int t259 = work->flags[2] && t258;
+    const int t260 = (-1e29f <= work->t79) && (work->t79 <= 1e29f);
+    const int t261 = t259 && t260;
+    const uint32_t t262 = state->poor;
+    const uint32_t t263 = (t262 < 78U) ? (t262 + 1U) : 78U;
+    const uint32_t t264 = work->flags[7] ? t263 : t262;
+    const uint32_t t265 = work->flags[5] ? 0U : t264;
+    state->poor = t265;
+    const int t267 = t265 < 78U;
+    const int t268 = t267 && t261;
+    const int t269 = !t268;
+    const int t270 = work->flags[5] || t269;
+    const int t271 = work->flags[4] && t270;
+    const float t272 = t271 ? work->t254 : t257;
+    const float t273 = t271 ? work->t251 : work->t79;
+    const int t274 = t271 || t261;
+    const int t275 = work->flags[3] && t274;
+    const uint32_t t276 = t275 ? 1U : 0U;
+    state->known = t276;
+    const float t278 = 0.0019980012f * t273;
+    const float t279 = t272 + t278;
+    const float t281 = -4.6631685e-5f * work->t73;
+    const float t282 = t279 + t281;
+    const int t283 = (-1e29f <= t282) && (t282 <= 1e29f);
+    const float t284 = t283 ? t282 : 0.0f;
+    state->next_q = t284;
+    const float t286 = 0.998002f * t273;
+    const float t288 = -0.034953367f * work->t73;
+    const float t289 = t286 + t288;
+    const int t290 = (-1e29f <= t289) && (t289 <= 1e29f);
+    const float t291 = t290 ? t289 : 0.0f;
+    state->next_dq = t291;
 
     /* the estimate; until there is one, the start */
-    work->t240 = t223 ? t218 : work->t92;
-    work->t241 = t223 ? t221 : 0.0f;
-    const uint32_t t242 = state->coasting;
-    const int t243 = t242 == 0U;
-    const int t244 = t196 && t243;
-    const lossy_arm_status t248 = t244 ? LOSSY_ARM_CONVERGED : LOSSY_ARM_COASTING;
-    work->t249 = t223 ? t248 : LOSSY_ARM_CONVERGING;
+    work->t292 = t275 ? t272 : work->t92;
+    work->t293 = t275 ? t273 : 0.0f;
+    const uint32_t t294 = state->coasting;
+    const int t295 = t294 == 0U;
+    const int t296 = work->flags[6] && t295;
+    const lossy_arm_status t300 = t296 ? LOSSY_ARM_CONVERGED : LOSSY_ARM_COASTING;
+    work->t301 = t275 ? t300 : LOSSY_ARM_CONVERGING;
 }
 
 void lossy_arm_init(lossy_arm_state *state)
@@ -702,6 +754,7 @@ void lossy_arm_init(lossy_arm_state *state)
     state->next_q = 0.0f;
     state->next_dq = 0.0f;
     state->known = 0U;
+    state->poor = 78U;
     state->since = 0U;
 }
 
@@ -713,9 +766,10 @@ void lossy_arm_step(lossy_arm_state *state, const lossy_arm_measurements *measur
     lossy_arm_part_2(state, &work);
     lossy_arm_part_3(state, &work);
     lossy_arm_part_4(state, &work);
+    lossy_arm_part_5(state, &work);
 
-    estimate->q = work.t240;
-    estimate->dq = work.t241;
+    estimate->q = work.t292;
+    estimate->dq = work.t293;
     estimate->coasted = work.t95;
-    estimate->status = work.t249;
+    estimate->status = work.t301;
 }

@@ -13,19 +13,20 @@
  * Method     window: least squares over the samples that are there of the last 26 (0.05 s at 0.002 s)
  * Converged  from call 26 (0.05 s after the first), whatever the initial state
  *            a missing sample is left out: with fewer samples the gains are larger, without noise the estimate is as exact
- *            where those that are there do not determine the state, the model's prediction stands in (COASTING)
+ *            CONVERGED while the bound with samples lost holds; beyond it COASTING: the estimate of the samples that are there,
+ *            or, where they do not determine the state or hardly do, the model's prediction, the latter for three windows at most
  *
  *                                  q         dq
  *   unit                           rad       rad/s
  *   noise gain from y, worst case  1.61      56.34
  *   noise gain from y, white       0.3789    12.75
  *   error bound from noise         0.001617  0.05721
- *   on top: rounding in f32, of which there is no bound here
+ *   error bound with samples lost  0.003243  0.1141
  *   on top: nonlinear terms are straight lines between samples, second order in the sample time
  *
- * Cost       458 multiplications, 488 additions, 3 divisions, 1 sin a call, the same for every call
- * Memory     state 448 bytes, constants 200 bytes
- *            at most: stack 2516 bytes, flash 8604 bytes without elementary functions
+ * Cost       469 multiplications, 518 additions, 6 divisions, 1 sin a call, the same for every call
+ * Memory     state 452 bytes, constants 200 bytes
+ *            at most: stack 2932 bytes, flash 10172 bytes without elementary functions
  *
  * Contract:
  *  1. No heap, no recursion, no global or static mutable data, no file or console, no library.
@@ -88,6 +89,7 @@ typedef struct {
     float next_q;        /* q as the model predicts it, as far as known */
     float next_dq;       /* dq as the model predicts it, as far as known */
     uint32_t known;      /* whether that comes from an estimate */
+    uint32_t poor;       /* calls with samples since these were worth more than a prediction */
     uint32_t since;      /* calls since a sample was accepted */
 } lossy_arm_state;
 

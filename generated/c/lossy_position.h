@@ -12,7 +12,8 @@
  * Method     window: least squares over the samples that are there of the last 41 (0.4 s at 0.01 s)
  * Converged  from call 41 (0.4 s after the first), whatever the initial state
  *            a missing sample is left out: with fewer samples the gains are larger, without noise the estimate is as exact
- *            where those that are there do not determine the state, the model's prediction stands in (COASTING)
+ *            CONVERGED while the bound with samples lost holds; beyond it COASTING: the estimate of the samples that are there,
+ *            or, where they do not determine the state or hardly do, the model's prediction, the latter for three windows at most
  *
  *                                       position  speed    slope   wheel
  *   unit                                m         m/s      m/s^2   m/s
@@ -21,12 +22,14 @@
  *   noise gain from wheel, worst case   0.1999    1.858    9.233   1.61
  *   noise gain from wheel, white        0.03994   0.348    1.647   0.3053
  *   error bound from noise              0.00954   0.06723  0.3821  0.05415
- *   on top: rounding in f32, of which there is no bound here
+ *   error bound with samples lost       0.02774   0.1682   0.868   0.1426
+ *   without camera the state is not determined
+ *   without wheel the state is not determined
  *   on top: nonlinear terms are straight lines between samples, second order in the sample time
  *
- * Cost       2239 multiplications, 1880 additions, 10 divisions, 1 tanh a call, the same for every call
- * Memory     state 1032 bytes, constants 1280 bytes
- *            at most: stack 4308 bytes, flash 16652 bytes without elementary functions
+ * Cost       2272 multiplications, 1982 additions, 22 divisions, 1 tanh a call, the same for every call
+ * Memory     state 1036 bytes, constants 1280 bytes
+ *            at most: stack 5164 bytes, flash 19808 bytes without elementary functions
  *
  * Contract:
  *  1. No heap, no recursion, no global or static mutable data, no file or console, no library.
@@ -98,6 +101,7 @@ typedef struct {
     float next_wheel;        /* wheel as the model predicts it, as far as known */
     uint32_t known;          /* whether that comes from an estimate */
     uint32_t slot_camera;    /* slot of the time that the newest sample shows */
+    uint32_t poor;           /* calls with samples since these were worth more than a prediction */
     uint32_t since;          /* calls since a sample was accepted */
 } lossy_position_state;
 

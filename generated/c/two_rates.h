@@ -11,7 +11,8 @@
  * Method     window: least squares over the samples that are there of the last 41 (0.4 s at 0.01 s)
  * Converged  from call 41 (0.4 s after the first), whatever the initial state
  *            a missing sample is left out: with fewer samples the gains are larger, without noise the estimate is as exact
- *            where those that are there do not determine the state, the model's prediction stands in (COASTING)
+ *            CONVERGED while the bound with samples lost holds; beyond it COASTING: the estimate of the samples that are there,
+ *            or, where they do not determine the state or hardly do, the model's prediction, the latter for three windows at most
  *            gains at the worst of 5 phases with the samples that are due, 41 calls a window; `design` has each
  *
  *                                       position  speed    slope
@@ -21,11 +22,13 @@
  *   noise gain from wheel, worst case   0.217     1.58     7.34
  *   noise gain from wheel, white        0.03814   0.2926   1.322
  *   error bound from noise              0.00934   0.03318  0.152
- *   on top: rounding in f32, of which there is no bound here
+ *   error bound with samples lost       0.02116   0.06637  0.3039
+ *   error bound without wheel           0.01796   0.2018   0.9715
+ *   without camera the state is not determined
  *
- * Cost       1328 multiplications, 1081 additions, 6 divisions a call, the same for every call
- * Memory     state 856 bytes, constants 960 bytes
- *            at most: stack 2540 bytes, flash 10576 bytes without elementary functions
+ * Cost       1345 multiplications, 1171 additions, 12 divisions a call, the same for every call
+ * Memory     state 860 bytes, constants 960 bytes
+ *            at most: stack 3084 bytes, flash 12632 bytes without elementary functions
  *
  * Contract:
  *  1. No heap, no recursion, no global or static mutable data, no file or console, no library.
@@ -92,6 +95,7 @@ typedef struct {
     float next_slope;     /* slope as the model predicts it, as far as known */
     uint32_t known;       /* whether that comes from an estimate */
     uint32_t slot_camera; /* slot of the time that the newest sample shows */
+    uint32_t poor;        /* calls with samples since these were worth more than a prediction */
     uint32_t since;       /* calls since a sample was accepted */
 } two_rates_state;
 

@@ -17,18 +17,20 @@
 //! Method     window: least squares over the samples that are there of the last 51 (0.05 s at 0.001 s)
 //! Converged  from call 51 (0.05 s after the first), whatever the initial state
 //!            a missing sample is left out: with fewer samples the gains are larger, without noise the estimate is as exact
-//!            where those that are there do not determine the state, the model's prediction stands in (COASTING)
+//!            CONVERGED while the bound with samples lost holds; beyond it COASTING: the estimate of the samples that are there,
+//!            or, where they do not determine the state or hardly do, the model's prediction, the latter for three windows at most
 //!            each sample counts at its own time; the gains are of samples of age 0
 //!
-//!                                  q       dq     i
-//!   unit                           rad     rad/s  A
-//!   noise gain from y, worst case  1.73    76.64  13.7
-//!   noise gain from y, white       0.3001  12.21  2.182
-//!   no error bound: it depends on when samples come; the gains are of regular gaps
+//!                                  q         dq       i
+//!   unit                           rad       rad/s    A
+//!   noise gain from y, worst case  1.73      76.64    13.7
+//!   noise gain from y, white       0.3001    12.21    2.182
+//!   error bound with samples lost  3.623e-4  0.01579  0.002824
+//!   the gains are of regular gaps; whenever samples come, the bound is that with samples lost
 //!
-//! Cost       2732 multiplications, 2374 additions, 6 divisions a call, the same for every call
-//! Memory     state 1680 bytes, constants 3600 bytes
-//!            at most: stack 6772 bytes, flash 17348 bytes without elementary functions
+//! Cost       2751 multiplications, 2435 additions, 13 divisions a call, the same for every call
+//! Memory     state 1688 bytes, constants 3600 bytes
+//!            at most: stack 7764 bytes, flash 19548 bytes without elementary functions
 //!
 //! Contract:
 //!  1. No heap, no recursion, no global or static mutable data, no file or console, no library.
@@ -104,6 +106,8 @@ pub struct Observer {
     next_i: f64,
     /// whether that comes from an estimate
     known: usize,
+    /// calls with samples since these were worth more than a prediction
+    poor: usize,
     /// calls since a sample was accepted
     since: usize,
     /// ages of these over the oldest, of y by slot
@@ -383,15 +387,15 @@ struct Work {
     t034: usize,
     t076: f64,
     t088: usize,
-    t184: f64,
-    t186: f64,
-    t188: f64,
-    t190: f64,
-    t192: f64,
-    t194: f64,
-    t196: f64,
-    t198: f64,
-    t200: f64,
+    t176: f64,
+    t185: f64,
+    t187: f64,
+    t189: f64,
+    t191: f64,
+    t193: f64,
+    t195: f64,
+    t197: f64,
+    t199: f64,
     t201: f64,
     t202: f64,
     t203: f64,
@@ -404,35 +408,41 @@ struct Work {
     t210: f64,
     t211: f64,
     t212: f64,
-    t213: usize,
-    t214: usize,
-    t223: f64,
-    t230: f64,
-    t237: f64,
-    t290: f64,
-    t297: f64,
-    t304: f64,
-    t305: f64,
+    t213: f64,
+    t214: f64,
+    t215: usize,
+    t216: usize,
+    t225: f64,
+    t232: f64,
+    t239: f64,
+    t292: f64,
+    t299: f64,
     t306: f64,
+    t307: f64,
     t308: f64,
     t309: f64,
-    t316: f64,
-    t318: f64,
-    t320: f64,
-    t322: f64,
-    t324: f64,
-    t326: f64,
-    t328: f64,
-    t330: f64,
-    t332: f64,
-    t375: f64,
-    t381: f64,
-    t387: f64,
-    t424: f64,
-    t425: f64,
-    t426: f64,
-    t434: Status,
-    /// t87, t357
+    t310: f64,
+    t311: f64,
+    t319: f64,
+    t321: f64,
+    t323: f64,
+    t325: f64,
+    t327: f64,
+    t329: f64,
+    t331: f64,
+    t333: f64,
+    t335: f64,
+    t407: f64,
+    t412: f64,
+    t417: f64,
+    t419: f64,
+    t421: f64,
+    t423: f64,
+    t496: f64,
+    t497: f64,
+    t498: f64,
+    t506: Status,
+    /// t87, t400
     flags: [bool; 2],
 }
 
@@ -446,15 +456,15 @@ impl Work {
         t034: 0,
         t076: 0.0,
         t088: 0,
-        t184: 0.0,
-        t186: 0.0,
-        t188: 0.0,
-        t190: 0.0,
-        t192: 0.0,
-        t194: 0.0,
-        t196: 0.0,
-        t198: 0.0,
-        t200: 0.0,
+        t176: 0.0,
+        t185: 0.0,
+        t187: 0.0,
+        t189: 0.0,
+        t191: 0.0,
+        t193: 0.0,
+        t195: 0.0,
+        t197: 0.0,
+        t199: 0.0,
         t201: 0.0,
         t202: 0.0,
         t203: 0.0,
@@ -467,34 +477,40 @@ impl Work {
         t210: 0.0,
         t211: 0.0,
         t212: 0.0,
-        t213: 0,
-        t214: 0,
-        t223: 0.0,
-        t230: 0.0,
-        t237: 0.0,
-        t290: 0.0,
-        t297: 0.0,
-        t304: 0.0,
-        t305: 0.0,
+        t213: 0.0,
+        t214: 0.0,
+        t215: 0,
+        t216: 0,
+        t225: 0.0,
+        t232: 0.0,
+        t239: 0.0,
+        t292: 0.0,
+        t299: 0.0,
         t306: 0.0,
+        t307: 0.0,
         t308: 0.0,
         t309: 0.0,
-        t316: 0.0,
-        t318: 0.0,
-        t320: 0.0,
-        t322: 0.0,
-        t324: 0.0,
-        t326: 0.0,
-        t328: 0.0,
-        t330: 0.0,
-        t332: 0.0,
-        t375: 0.0,
-        t381: 0.0,
-        t387: 0.0,
-        t424: 0.0,
-        t425: 0.0,
-        t426: 0.0,
-        t434: Status::Converging,
+        t310: 0.0,
+        t311: 0.0,
+        t319: 0.0,
+        t321: 0.0,
+        t323: 0.0,
+        t325: 0.0,
+        t327: 0.0,
+        t329: 0.0,
+        t331: 0.0,
+        t333: 0.0,
+        t335: 0.0,
+        t407: 0.0,
+        t412: 0.0,
+        t417: 0.0,
+        t419: 0.0,
+        t421: 0.0,
+        t423: 0.0,
+        t496: 0.0,
+        t497: 0.0,
+        t498: 0.0,
+        t506: Status::Converging,
         flags: [false; 2],
     };
 }
@@ -515,6 +531,7 @@ impl Observer {
             next_dq: 0.0,
             next_i: 0.0,
             known: 0,
+            poor: 153,
             since: 0,
             age_y: [0.0; 51],
         }
@@ -530,11 +547,11 @@ impl Observer {
         Self::part_6(&mut work);
         self.part_7(&mut work);
         Estimate {
-            q: work.t424,
-            dq: work.t425,
-            i: work.t426,
+            q: work.t496,
+            dq: work.t497,
+            i: work.t498,
             coasted: ::deadbeat::math::u32_from_index(work.t034),
-            status: work.t434,
+            status: work.t506,
         }
     }
 
@@ -544,9 +561,9 @@ impl Observer {
         let t000 = self.newest;
         let t001 = t000.min(50);
         let t002 = measurements.y;
-        let t003 = (-1e297..=1e297).contains(&t002);
+        let t003 = (-1e300..=1e300).contains(&t002);
         let t004 = inputs.u;
-        let t005 = (-1e297..=1e297).contains(&t004);
+        let t005 = (-1e300..=1e300).contains(&t004);
         let t006 = self.u[t001];
         let t007 = if t005 { t004 } else { t006 };
         let t008 = measurements.y_age;
@@ -686,288 +703,353 @@ impl Observer {
         let t173 = 0.558_346_149_462_435_2 + t170;
         let t174 = t173 + t172;
         let t175 = self.has_y[work.t088.min(50)];
-        let t176 = self.y[work.t088.min(50)];
-        let t177 = 0.0 + t159;
-        let t178 = t177 + t160;
-        let t179 = t176 - t178;
-        let t180 = t175 * t162;
-        let t181 = t175 * t167;
-        let t182 = t175 * t174;
-        let t183 = t180 * t180;
-        work.t184 = 0.0 + t183;
-        let t185 = t180 * t181;
-        work.t186 = 0.0 + t185;
-        let t187 = t180 * t182;
-        work.t188 = 0.0 + t187;
-        let t189 = t181 * t181;
-        work.t190 = 0.0 + t189;
-        let t191 = t181 * t182;
-        work.t192 = 0.0 + t191;
-        let t193 = t182 * t182;
-        work.t194 = 0.0 + t193;
-        let t195 = t180 * t179;
-        work.t196 = 0.0 + t195;
-        let t197 = t181 * t179;
-        work.t198 = 0.0 + t197;
-        let t199 = t182 * t179;
-        work.t200 = 0.0 + t199;
+        work.t176 = 0.0 + t175;
+        let t177 = self.y[work.t088.min(50)];
+        let t178 = 0.0 + t159;
+        let t179 = t178 + t160;
+        let t180 = t177 - t179;
+        let t181 = t175 * t162;
+        let t182 = t175 * t167;
+        let t183 = t175 * t174;
+        let t184 = t181 * t181;
+        work.t185 = 0.0 + t184;
+        let t186 = t181 * t182;
+        work.t187 = 0.0 + t186;
+        let t188 = t181 * t183;
+        work.t189 = 0.0 + t188;
+        let t190 = t182 * t182;
+        work.t191 = 0.0 + t190;
+        let t192 = t182 * t183;
+        work.t193 = 0.0 + t192;
+        let t194 = t183 * t183;
+        work.t195 = 0.0 + t194;
+        let t196 = t181 * t180;
+        work.t197 = 0.0 + t196;
+        let t198 = t182 * t180;
+        work.t199 = 0.0 + t198;
+        let t200 = t183 * t180;
+        work.t201 = 0.0 + t200;
     }
 
     /// Part 3 of a step, for one row of `ROWS`.
     fn part_3(&self, work: &mut Work, gains: [f64; 9]) {
-        work.t214 = if work.t213 < 50 { work.t213 + 1 } else { 0 };
-        let t215 = self.u[work.t214.min(50)];
-        let t217 = 0.000_999_413_586_572_696 * work.t211;
-        let t219 = 7.021_338_035_817_581e-6 * work.t212;
-        let t220 = work.t210 + t217;
-        let t221 = t220 + t219;
-        let t222 = 9.516_693_692_987_18e-8 * t215;
-        work.t223 = t221 + t222;
-        let t225 = 0.998_745_009_708_923_5 * work.t211;
-        let t227 = 0.013_586_936_191_426_924 * work.t212;
-        let t228 = t225 + t227;
-        let t229 = 0.000_280_853_521_432_703_24 * t215;
-        work.t230 = t228 + t229;
-        let t232 = -0.032_970_965_157_862_67 * work.t211;
-        let t234 = 0.818_491_656_235_993_1 * work.t212;
-        let t235 = t232 + t234;
-        let t236 = 0.036_250_553_411_900_64 * t215;
-        work.t237 = t235 + t236;
-        let t238 = self.age_y[work.t214.min(50)];
-        let t239 = 5.272_062_832_054_933e-22 * t238;
-        let t240 = t239 + 3.207_869_236_890_387e-20;
-        let t241 = t240 * t238;
-        let t242 = t241 + 1.789_221_775_497_779_7e-18;
-        let t243 = t242 * t238;
-        let t244 = t243 + 9.072_333_535_001_539e-17;
-        let t245 = t244 * t238;
-        let t246 = t245 + 4.140_152_618_468_725e-15;
-        let t247 = t246 * t238;
-        let t248 = t247 + 1.679_427_148_748_015_8e-13;
-        let t249 = t248 * t238;
-        let t250 = t249 + 5.960_929_215_277_777_6e-12;
-        let t251 = t250 * t238;
-        let t252 = t251 + 1.813_493_416_666_666_5e-10;
-        let t253 = t252 * t238;
-        let t254 = t253 + 4.595_458_333_333_333_5e-9;
-        let t255 = t254 * t238;
-        let t256 = t255 + 9.083_333_333_333_333e-8;
-        let t257 = t256 * t238;
-        let t258 = t257 + -5e-7;
-        let t259 = t258 * t238;
-        let t260 = t259 + -0.001;
-        let t261 = t260 * t238;
-        let t262 = 2.841_951_408_392_815e-21 * t238;
-        let t263 = t262 + 1.729_229_864_312_366_9e-19;
-        let t264 = t263 * t238;
-        let t265 = t264 + 9.644_955_886_880_351e-18;
-        let t266 = t265 * t238;
-        let t267 = t266 + 4.890_520_444_952_687e-16;
-        let t268 = t267 * t238;
-        let t269 = t268 + 2.231_785_344_867_224_6e-14;
-        let t270 = t269 * t238;
-        let t271 = t270 + 9.053_098_415_625e-13;
-        let t272 = t271 * t238;
-        let t273 = t272 + 3.213_291_414_583_333_6e-11;
-        let t274 = t273 * t238;
-        let t275 = t274 + 9.775_886_25e-10;
-        let t276 = t275 * t238;
-        let t277 = t276 + 2.478_437_5e-8;
-        let t278 = t277 * t238;
-        let t279 = t278 + 5.025e-7;
-        let t280 = t279 * t238;
-        let t281 = t280 + 7.5e-6;
-        let t282 = t281 * t238;
-        let t283 = t282 * t238;
-        let t284 = gains[0];
-        let t285 = gains[3];
-        let t286 = t261 * t285;
-        let t287 = gains[6];
-        let t288 = t283 * t287;
-        let t289 = t284 + t286;
-        work.t290 = t289 + t288;
-        let t291 = gains[1];
-        let t292 = gains[4];
-        let t293 = t261 * t292;
-        let t294 = gains[7];
-        let t295 = t283 * t294;
-        let t296 = t291 + t293;
-        work.t297 = t296 + t295;
-        let t298 = gains[2];
-        let t299 = gains[5];
-        let t300 = t261 * t299;
-        let t301 = gains[8];
-        let t302 = t283 * t301;
-        let t303 = t298 + t300;
-        work.t304 = t303 + t302;
-        work.t305 = self.has_y[work.t214.min(50)];
-        work.t306 = self.y[work.t214.min(50)];
-        let t307 = t261 * work.t230;
-        work.t308 = t283 * work.t237;
-        work.t309 = work.t223 + t307;
+        work.t216 = if work.t215 < 50 { work.t215 + 1 } else { 0 };
+        let t217 = self.u[work.t216.min(50)];
+        let t219 = 0.000_999_413_586_572_696 * work.t212;
+        let t221 = 7.021_338_035_817_581e-6 * work.t213;
+        let t222 = work.t211 + t219;
+        let t223 = t222 + t221;
+        let t224 = 9.516_693_692_987_18e-8 * t217;
+        work.t225 = t223 + t224;
+        let t227 = 0.998_745_009_708_923_5 * work.t212;
+        let t229 = 0.013_586_936_191_426_924 * work.t213;
+        let t230 = t227 + t229;
+        let t231 = 0.000_280_853_521_432_703_24 * t217;
+        work.t232 = t230 + t231;
+        let t234 = -0.032_970_965_157_862_67 * work.t212;
+        let t236 = 0.818_491_656_235_993_1 * work.t213;
+        let t237 = t234 + t236;
+        let t238 = 0.036_250_553_411_900_64 * t217;
+        work.t239 = t237 + t238;
+        let t240 = self.age_y[work.t216.min(50)];
+        let t241 = 5.272_062_832_054_933e-22 * t240;
+        let t242 = t241 + 3.207_869_236_890_387e-20;
+        let t243 = t242 * t240;
+        let t244 = t243 + 1.789_221_775_497_779_7e-18;
+        let t245 = t244 * t240;
+        let t246 = t245 + 9.072_333_535_001_539e-17;
+        let t247 = t246 * t240;
+        let t248 = t247 + 4.140_152_618_468_725e-15;
+        let t249 = t248 * t240;
+        let t250 = t249 + 1.679_427_148_748_015_8e-13;
+        let t251 = t250 * t240;
+        let t252 = t251 + 5.960_929_215_277_777_6e-12;
+        let t253 = t252 * t240;
+        let t254 = t253 + 1.813_493_416_666_666_5e-10;
+        let t255 = t254 * t240;
+        let t256 = t255 + 4.595_458_333_333_333_5e-9;
+        let t257 = t256 * t240;
+        let t258 = t257 + 9.083_333_333_333_333e-8;
+        let t259 = t258 * t240;
+        let t260 = t259 + -5e-7;
+        let t261 = t260 * t240;
+        let t262 = t261 + -0.001;
+        let t263 = t262 * t240;
+        let t264 = 2.841_951_408_392_815e-21 * t240;
+        let t265 = t264 + 1.729_229_864_312_366_9e-19;
+        let t266 = t265 * t240;
+        let t267 = t266 + 9.644_955_886_880_351e-18;
+        let t268 = t267 * t240;
+        let t269 = t268 + 4.890_520_444_952_687e-16;
+        let t270 = t269 * t240;
+        let t271 = t270 + 2.231_785_344_867_224_6e-14;
+        let t272 = t271 * t240;
+        let t273 = t272 + 9.053_098_415_625e-13;
+        let t274 = t273 * t240;
+        let t275 = t274 + 3.213_291_414_583_333_6e-11;
+        let t276 = t275 * t240;
+        let t277 = t276 + 9.775_886_25e-10;
+        let t278 = t277 * t240;
+        let t279 = t278 + 2.478_437_5e-8;
+        let t280 = t279 * t240;
+        let t281 = t280 + 5.025e-7;
+        let t282 = t281 * t240;
+        let t283 = t282 + 7.5e-6;
+        let t284 = t283 * t240;
+        let t285 = t284 * t240;
+        let t286 = gains[0];
+        let t287 = gains[3];
+        let t288 = t263 * t287;
+        let t289 = gains[6];
+        let t290 = t285 * t289;
+        let t291 = t286 + t288;
+        work.t292 = t291 + t290;
+        let t293 = gains[1];
+        let t294 = gains[4];
+        let t295 = t263 * t294;
+        let t296 = gains[7];
+        let t297 = t285 * t296;
+        let t298 = t293 + t295;
+        work.t299 = t298 + t297;
+        let t300 = gains[2];
+        let t301 = gains[5];
+        let t302 = t263 * t301;
+        let t303 = gains[8];
+        let t304 = t285 * t303;
+        let t305 = t300 + t302;
+        work.t306 = t305 + t304;
+        work.t307 = self.has_y[work.t216.min(50)];
+        work.t308 = work.t214 + work.t307;
+        work.t309 = self.y[work.t216.min(50)];
+        work.t310 = t263 * work.t232;
+        work.t311 = t285 * work.t239;
     }
 
     /// Part 4 of a step, for one row of `ROWS`.
     fn part_4(work: &mut Work) {
-        let t310 = work.t309 + work.t308;
-        let t311 = work.t306 - t310;
-        let t312 = work.t305 * work.t290;
-        let t313 = work.t305 * work.t297;
-        let t314 = work.t305 * work.t304;
-        let t315 = t312 * t312;
-        work.t316 = work.t201 + t315;
-        let t317 = t312 * t313;
-        work.t318 = work.t202 + t317;
-        let t319 = t312 * t314;
-        work.t320 = work.t203 + t319;
-        let t321 = t313 * t313;
-        work.t322 = work.t204 + t321;
-        let t323 = t313 * t314;
-        work.t324 = work.t205 + t323;
-        let t325 = t314 * t314;
-        work.t326 = work.t206 + t325;
-        let t327 = t312 * t311;
-        work.t328 = work.t207 + t327;
-        let t329 = t313 * t311;
-        work.t330 = work.t208 + t329;
-        let t331 = t314 * t311;
-        work.t332 = work.t209 + t331;
+        let t312 = work.t225 + work.t310;
+        let t313 = t312 + work.t311;
+        let t314 = work.t309 - t313;
+        let t315 = work.t307 * work.t292;
+        let t316 = work.t307 * work.t299;
+        let t317 = work.t307 * work.t306;
+        let t318 = t315 * t315;
+        work.t319 = work.t202 + t318;
+        let t320 = t315 * t316;
+        work.t321 = work.t203 + t320;
+        let t322 = t315 * t317;
+        work.t323 = work.t204 + t322;
+        let t324 = t316 * t316;
+        work.t325 = work.t205 + t324;
+        let t326 = t316 * t317;
+        work.t327 = work.t206 + t326;
+        let t328 = t317 * t317;
+        work.t329 = work.t207 + t328;
+        let t330 = t315 * t314;
+        work.t331 = work.t208 + t330;
+        let t332 = t316 * t314;
+        work.t333 = work.t209 + t332;
+        let t334 = t317 * t314;
+        work.t335 = work.t210 + t334;
     }
 
     /// Part 5 of a step.
     fn part_5(&self, work: &mut Work) {
-        work.t201 = work.t184;
-        work.t202 = work.t186;
-        work.t203 = work.t188;
-        work.t204 = work.t190;
-        work.t205 = work.t192;
-        work.t206 = work.t194;
-        work.t207 = work.t196;
-        work.t208 = work.t198;
-        work.t209 = work.t200;
-        work.t210 = 0.0;
+        work.t202 = work.t185;
+        work.t203 = work.t187;
+        work.t204 = work.t189;
+        work.t205 = work.t191;
+        work.t206 = work.t193;
+        work.t207 = work.t195;
+        work.t208 = work.t197;
+        work.t209 = work.t199;
+        work.t210 = work.t201;
         work.t211 = 0.0;
         work.t212 = 0.0;
-        work.t213 = work.t088;
+        work.t213 = 0.0;
+        work.t214 = work.t176;
+        work.t215 = work.t088;
         for gains in &ROWS {
             self.part_3(work, *gains);
             Self::part_4(work);
-            work.t201 = work.t316;
-            work.t202 = work.t318;
-            work.t203 = work.t320;
-            work.t204 = work.t322;
-            work.t205 = work.t324;
-            work.t206 = work.t326;
-            work.t207 = work.t328;
-            work.t208 = work.t330;
-            work.t209 = work.t332;
-            work.t210 = work.t223;
-            work.t211 = work.t230;
-            work.t212 = work.t237;
-            work.t213 = work.t214;
+            work.t202 = work.t319;
+            work.t203 = work.t321;
+            work.t204 = work.t323;
+            work.t205 = work.t325;
+            work.t206 = work.t327;
+            work.t207 = work.t329;
+            work.t208 = work.t331;
+            work.t209 = work.t333;
+            work.t210 = work.t335;
+            work.t211 = work.t225;
+            work.t212 = work.t232;
+            work.t213 = work.t239;
+            work.t214 = work.t308;
+            work.t215 = work.t216;
         }
     }
 
     /// Part 6 of a step.
     fn part_6(work: &mut Work) {
-        // the window's start from the samples that are there
-        let t334 = 0.015_625_000_000_000_003 < work.t201;
-        let t335 = if t334 { work.t201 } else { 1.0 };
-        let t336 = work.t202 / t335;
-        let t337 = t336 * work.t202;
-        let t338 = work.t204 - t337;
-        let t339 = t336 * work.t203;
-        let t340 = work.t205 - t339;
-        let t341 = t336 * work.t207;
-        let t342 = work.t208 - t341;
-        let t343 = work.t203 / t335;
-        let t344 = t343 * work.t203;
-        let t345 = work.t206 - t344;
-        let t346 = t343 * work.t207;
-        let t347 = work.t209 - t346;
-        let t348 = 0.015_625_000_000_000_003 < t338;
-        let t349 = t334 && t348;
-        let t350 = if t348 { t338 } else { 1.0 };
-        let t351 = t340 / t350;
-        let t352 = t351 * t340;
-        let t353 = t345 - t352;
-        let t354 = t351 * t342;
-        let t355 = t347 - t354;
-        let t356 = 0.015_625_000_000_000_003 < t353;
-        work.flags[1] = t349 && t356;
-        let t358 = if t356 { t353 } else { 1.0 };
-        let t359 = t355 / t358;
-        let t360 = t340 * t359;
-        let t361 = t342 - t360;
-        let t362 = t361 / t350;
-        let t363 = work.t202 * t362;
-        let t364 = work.t207 - t363;
-        let t365 = work.t203 * t359;
-        let t366 = t364 - t365;
-        let t367 = t366 / t335;
-        let t368 = 0.140_028_008_402_800_97 * t367;
-        let t370 = 0.230_650_757_672_311_22 * t362;
-        let t372 = 0.131_349_884_360_889_54 * t359;
-        let t373 = t368 + t370;
-        let t374 = t373 + t372;
-        work.t375 = t374 + work.t210;
-        let t377 = 8.651_118_877_863_917 * t362;
-        let t379 = 8.618_146_699_003_066 * t359;
-        let t380 = t377 + t379;
-        work.t381 = t380 + work.t211;
-        let t383 = -1.604_756_777_719_405_8 * t362;
-        let t385 = -1.479_057_925_057_862_4 * t359;
-        let t386 = t383 + t385;
-        work.t387 = t386 + work.t212;
+        // the state from the samples that are there, and its variance
+        let t345 = 1e-12 * work.t202;
+        let t346 = t345 + 1.002_084_180_004_486_4e-292;
+        let t347 = 1e-12 * work.t205;
+        let t348 = t347 + 1.002_084_180_004_486_4e-292;
+        let t349 = 1e-12 * work.t207;
+        let t350 = t349 + 1.002_084_180_004_486_4e-292;
+        let t351 = t346 < work.t202;
+        let t352 = if t351 { work.t202 } else { 1.0 };
+        let t353 = work.t203 / t352;
+        let t354 = work.t204 / t352;
+        let t355 = t353 * work.t203;
+        let t356 = work.t205 - t355;
+        let t357 = t353 * work.t204;
+        let t358 = work.t206 - t357;
+        let t359 = t353 * work.t208;
+        let t360 = work.t209 - t359;
+        let t361 = t354 * work.t204;
+        let t362 = work.t207 - t361;
+        let t363 = t354 * work.t208;
+        let t364 = work.t210 - t363;
+        let t365 = work.t208 / t352;
+        let t366 = t353 * 0.070_014_004_201_400_48;
+        let t367 = 0.115_325_378_836_155_61 - t366;
+        let t368 = t354 * 0.070_014_004_201_400_48;
+        let t369 = 0.065_674_942_180_444_77 - t368;
+        let t370 = 0.070_014_004_201_400_48 * t365;
+        let t371 = 0.070_014_004_201_400_48 / t352;
+        let t372 = 0.070_014_004_201_400_48 * t371;
+        let t373 = t348 < t356;
+        let t374 = t351 && t373;
+        let t375 = if t373 { t356 } else { 1.0 };
+        let t376 = t358 / t375;
+        let t377 = t376 * t358;
+        let t378 = t362 - t377;
+        let t379 = t376 * t360;
+        let t380 = t364 - t379;
+        let t381 = t360 / t375;
+        let t382 = t376 * t367;
+        let t383 = t369 - t382;
+        let t384 = t367 * t381;
+        let t385 = t370 + t384;
+        let t386 = t367 / t375;
+        let t387 = t367 * t386;
+        let t388 = t372 + t387;
+        let t389 = t376 * 0.067_586_866_233_311_85;
+        let t390 = 0.067_329_271_085_961_46 - t389;
+        let t391 = 0.067_586_866_233_311_85 * t381;
+        let t392 = 0.067_586_866_233_311_85 / t375;
+        let t393 = 0.067_586_866_233_311_85 * t392;
+        let t394 = t376 * -0.100_297_298_607_462_86;
+        let t395 = -0.092_441_120_316_116_4 - t394;
+        let t396 = -0.100_297_298_607_462_86 * t381;
+        let t397 = -0.100_297_298_607_462_86 / t375;
+        let t398 = -0.100_297_298_607_462_86 * t397;
+        let t399 = t350 < t378;
+        work.flags[1] = t374 && t399;
+        let t401 = if t399 { t378 } else { 1.0 };
+        let t402 = t380 / t401;
+        let t403 = t383 * t402;
+        let t404 = t385 + t403;
+        let t405 = t383 / t401;
+        let t406 = t383 * t405;
+        work.t407 = t388 + t406;
+        let t408 = t390 * t402;
+        let t409 = t391 + t408;
+        let t410 = t390 / t401;
+        let t411 = t390 * t410;
+        work.t412 = t393 + t411;
+        let t413 = t395 * t402;
+        let t414 = t396 + t413;
+        let t415 = t395 / t401;
+        let t416 = t395 * t415;
+        work.t417 = t398 + t416;
+        work.t419 = 2.0 * t404;
+        work.t421 = 128.0 * t409;
+        work.t423 = 16.0 * t414;
     }
 
     /// Part 7 of a step.
     fn part_7(&mut self, work: &mut Work) {
+        // what it is worth
+        let t425 = work.t407 * 0.304_692_459_760_320_6;
+        let t426 = 0.0 < t425;
+        let t427 = if t426 { t425 } else { 0.0 };
+        let t429 = work.t412 * 0.657_050_050_955_516_8;
+        let t430 = t427 < t429;
+        let t431 = if t430 { t429 } else { t427 };
+        let t433 = work.t417 * 0.321_039_402_246_200_26;
+        let t434 = t431 < t433;
+        let t435 = if t434 { t433 } else { t431 };
+        let t438 = t435 <= 482_054.650_622_396_44;
+        let t439 = work.flags[1] && t438;
+        let t440 = t435 <= 0.482_054_650_622_396_44;
+        let t441 = t439 && t440;
+        let t442 = work.t214 + 0.0;
+        let t443 = t435 * t442;
+        let t444 = t443 <= 1.0;
+        let t445 = t441 && t444;
+        let t446 = 0.0 < work.t214;
+        let t447 = work.t419 + work.t211;
+        let t448 = work.t421 + work.t212;
+        let t449 = work.t423 + work.t213;
+
         // without enough samples, the model's prediction
-        let t388 = self.known;
-        let t389 = t388 == 1;
-        let t390 = (-1e297..=1e297).contains(&work.t019);
-        let t391 = t389 && t390;
-        let t392 = if work.flags[1] { work.t375 } else { work.t019 };
-        let t393 = (-1e297..=1e297).contains(&work.t023);
-        let t394 = t391 && t393;
-        let t395 = if work.flags[1] { work.t381 } else { work.t023 };
-        let t396 = (-1e297..=1e297).contains(&work.t027);
-        let t397 = t394 && t396;
-        let t398 = if work.flags[1] { work.t387 } else { work.t027 };
-        let t399 = work.flags[1] || t397;
-        let t400 = work.flags[0] && t399;
-        let t401 = usize::from(t400);
-        self.known = t401;
-        let t403 = 0.000_999_413_586_572_696 * t395;
-        let t405 = 7.021_338_035_817_581e-6 * t398;
-        let t406 = t392 + t403;
-        let t407 = t406 + t405;
-        let t408 = (-1e297..=1e297).contains(&t407);
-        let t409 = if t408 { t407 } else { 0.0 };
-        self.next_q = t409;
-        let t411 = 0.998_745_009_708_923_5 * t395;
-        let t413 = 0.013_586_936_191_426_924 * t398;
-        let t414 = t411 + t413;
-        let t415 = (-1e297..=1e297).contains(&t414);
-        let t416 = if t415 { t414 } else { 0.0 };
-        self.next_dq = t416;
-        let t418 = -0.032_970_965_157_862_67 * t395;
-        let t420 = 0.818_491_656_235_993_1 * t398;
-        let t421 = t418 + t420;
-        let t422 = (-1e297..=1e297).contains(&t421);
-        let t423 = if t422 { t421 } else { 0.0 };
-        self.next_i = t423;
+        let t450 = self.known;
+        let t451 = t450 == 1;
+        let t452 = (-1e300..=1e300).contains(&work.t019);
+        let t453 = t451 && t452;
+        let t454 = (-1e300..=1e300).contains(&work.t023);
+        let t455 = t453 && t454;
+        let t456 = (-1e300..=1e300).contains(&work.t027);
+        let t457 = t455 && t456;
+        let t458 = self.poor;
+        let t459 = if t458 < 153 { t458 + 1 } else { 153 };
+        let t460 = if t446 { t459 } else { t458 };
+        let t461 = if t441 { 0 } else { t460 };
+        self.poor = t461;
+        let t463 = t461 < 153;
+        let t464 = t463 && t457;
+        let t465 = !t464;
+        let t466 = t441 || t465;
+        let t467 = t439 && t466;
+        let t468 = if t467 { t447 } else { work.t019 };
+        let t469 = if t467 { t448 } else { work.t023 };
+        let t470 = if t467 { t449 } else { work.t027 };
+        let t471 = t467 || t457;
+        let t472 = work.flags[0] && t471;
+        let t473 = usize::from(t472);
+        self.known = t473;
+        let t475 = 0.000_999_413_586_572_696 * t469;
+        let t477 = 7.021_338_035_817_581e-6 * t470;
+        let t478 = t468 + t475;
+        let t479 = t478 + t477;
+        let t480 = (-1e300..=1e300).contains(&t479);
+        let t481 = if t480 { t479 } else { 0.0 };
+        self.next_q = t481;
+        let t483 = 0.998_745_009_708_923_5 * t469;
+        let t485 = 0.013_586_936_191_426_924 * t470;
+        let t486 = t483 + t485;
+        let t487 = (-1e300..=1e300).contains(&t486);
+        let t488 = if t487 { t486 } else { 0.0 };
+        self.next_dq = t488;
+        let t490 = -0.032_970_965_157_862_67 * t469;
+        let t492 = 0.818_491_656_235_993_1 * t470;
+        let t493 = t490 + t492;
+        let t494 = (-1e300..=1e300).contains(&t493);
+        let t495 = if t494 { t493 } else { 0.0 };
+        self.next_i = t495;
 
         // the estimate; until there is one, the start
-        work.t424 = if t400 { t392 } else { work.t076 };
-        work.t425 = if t400 { t395 } else { 0.0 };
-        work.t426 = if t400 { t398 } else { 0.0 };
-        let t427 = self.coasting;
-        let t428 = t427 == 0;
-        let t429 = work.flags[1] && t428;
-        let t433 = if t429 { Status::Converged } else { Status::Coasting };
-        work.t434 = if t400 { t433 } else { Status::Converging };
+        work.t496 = if t472 { t468 } else { work.t076 };
+        work.t497 = if t472 { t469 } else { 0.0 };
+        work.t498 = if t472 { t470 } else { 0.0 };
+        let t499 = self.coasting;
+        let t500 = t499 == 0;
+        let t501 = t445 && t500;
+        let t505 = if t501 { Status::Converged } else { Status::Coasting };
+        work.t506 = if t472 { t505 } else { Status::Converging };
     }
 }
 

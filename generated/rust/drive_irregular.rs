@@ -25,12 +25,12 @@
 //!   noise gain from y, worst case  1.795     31.47    5.837
 //!   noise gain from y, white       0.694     11.71    2.172
 //!   gain from w, worst case        8.149e-4  0.04505  0.007418
-//!   no error bound: it depends on when samples come; the gains are of regular gaps
-//!   on top: rounding in f32, of which there is no bound here
+//!   error bound with samples lost  9.232e-4  0.01898  0.003426
+//!   the gains are of regular gaps; whenever samples come, the bound is that with samples lost
 //!
-//! Cost       2138 multiplications, 1734 additions, 6 divisions a call, the same for every call
-//! Memory     state 1244 bytes, constants 1200 bytes
-//!            at most: stack 2180 bytes, flash 9280 bytes without elementary functions
+//! Cost       2158 multiplications, 1845 additions, 13 divisions a call, the same for every call
+//! Memory     state 1248 bytes, constants 1200 bytes
+//!            at most: stack 2780 bytes, flash 11508 bytes without elementary functions
 //!
 //! Contract:
 //!  1. No heap, no recursion, no global or static mutable data, no file or console, no library.
@@ -102,6 +102,8 @@ pub struct Observer {
     next_i: f32,
     /// whether that comes from an estimate
     known: usize,
+    /// calls with samples since these were worth more than a prediction
+    poor: usize,
 }
 
 /// orthonormal rows of the window, oldest first
@@ -220,15 +222,15 @@ struct Work {
     t020: f32,
     t023: f32,
     t046: usize,
-    t057: f32,
-    t059: f32,
-    t061: f32,
-    t063: f32,
-    t065: f32,
-    t067: f32,
-    t069: f32,
-    t071: f32,
-    t073: f32,
+    t051: f32,
+    t058: f32,
+    t060: f32,
+    t062: f32,
+    t064: f32,
+    t066: f32,
+    t068: f32,
+    t070: f32,
+    t072: f32,
     t074: f32,
     t075: f32,
     t076: f32,
@@ -241,14 +243,19 @@ struct Work {
     t083: f32,
     t084: f32,
     t085: f32,
-    t180: f32,
-    t186: f32,
-    t192: f32,
-    t229: f32,
-    t230: f32,
-    t231: f32,
-    t239: Status,
-    /// t45, t162
+    t086: f32,
+    t087: f32,
+    t212: f32,
+    t217: f32,
+    t222: f32,
+    t224: f32,
+    t226: f32,
+    t228: f32,
+    t304: f32,
+    t305: f32,
+    t306: f32,
+    t314: Status,
+    /// t45, t205
     flags: [bool; 2],
 }
 
@@ -261,15 +268,15 @@ impl Work {
         t020: 0.0,
         t023: 0.0,
         t046: 0,
-        t057: 0.0,
-        t059: 0.0,
-        t061: 0.0,
-        t063: 0.0,
-        t065: 0.0,
-        t067: 0.0,
-        t069: 0.0,
-        t071: 0.0,
-        t073: 0.0,
+        t051: 0.0,
+        t058: 0.0,
+        t060: 0.0,
+        t062: 0.0,
+        t064: 0.0,
+        t066: 0.0,
+        t068: 0.0,
+        t070: 0.0,
+        t072: 0.0,
         t074: 0.0,
         t075: 0.0,
         t076: 0.0,
@@ -282,13 +289,18 @@ impl Work {
         t083: 0.0,
         t084: 0.0,
         t085: 0.0,
-        t180: 0.0,
-        t186: 0.0,
-        t192: 0.0,
-        t229: 0.0,
-        t230: 0.0,
-        t231: 0.0,
-        t239: Status::Converging,
+        t086: 0.0,
+        t087: 0.0,
+        t212: 0.0,
+        t217: 0.0,
+        t222: 0.0,
+        t224: 0.0,
+        t226: 0.0,
+        t228: 0.0,
+        t304: 0.0,
+        t305: 0.0,
+        t306: 0.0,
+        t314: Status::Converging,
         flags: [false; 2],
     };
 }
@@ -309,6 +321,7 @@ impl Observer {
             next_dq: 0.0,
             next_i: 0.0,
             known: 0,
+            poor: 303,
         }
     }
 
@@ -322,10 +335,10 @@ impl Observer {
         Self::part_4(&mut work);
         self.part_5(&mut work);
         Estimate {
-            q: work.t229,
-            dq: work.t230,
-            i: work.t231,
-            status: work.t239,
+            q: work.t304,
+            dq: work.t305,
+            i: work.t306,
+            status: work.t314,
         }
     }
 
@@ -335,9 +348,9 @@ impl Observer {
         let t000 = self.newest;
         let t001 = t000.min(100);
         let t002 = measurements.y;
-        let t003 = (-1e21..=1e21).contains(&t002);
+        let t003 = (-1e30..=1e30).contains(&t002);
         let t004 = inputs.u;
-        let t005 = (-1e21..=1e21).contains(&t004);
+        let t005 = (-1e30..=1e30).contains(&t004);
         let t006 = self.u[t001];
         let t007 = if t005 { t004 } else { t006 };
         work.t008 = if t001 < 100 { t001 + 1 } else { 0 };
@@ -386,208 +399,274 @@ impl Observer {
         // rows of the window, oldest first; those without a sample count nothing
         work.t046 = if work.t008 < 100 { work.t008 + 1 } else { 0 };
         let t050 = self.has_y[work.t046.min(100)];
-        let t051 = self.y[work.t046.min(100)];
-        let t052 = t051 - 0.0;
-        let t053 = t050 * 0.099_503_72;
-        let t054 = t050 * -0.181_241_44;
-        let t055 = t050 * 0.561_164_7;
-        let t056 = t053 * t053;
-        work.t057 = 0.0 + t056;
-        let t058 = t053 * t054;
-        work.t059 = 0.0 + t058;
-        let t060 = t053 * t055;
-        work.t061 = 0.0 + t060;
-        let t062 = t054 * t054;
-        work.t063 = 0.0 + t062;
-        let t064 = t054 * t055;
-        work.t065 = 0.0 + t064;
-        let t066 = t055 * t055;
-        work.t067 = 0.0 + t066;
-        let t068 = t053 * t052;
-        work.t069 = 0.0 + t068;
-        let t070 = t054 * t052;
-        work.t071 = 0.0 + t070;
-        let t072 = t055 * t052;
-        work.t073 = 0.0 + t072;
+        work.t051 = 0.0 + t050;
+        let t052 = self.y[work.t046.min(100)];
+        let t053 = t052 - 0.0;
+        let t054 = t050 * 0.099_503_72;
+        let t055 = t050 * -0.181_241_44;
+        let t056 = t050 * 0.561_164_7;
+        let t057 = t054 * t054;
+        work.t058 = 0.0 + t057;
+        let t059 = t054 * t055;
+        work.t060 = 0.0 + t059;
+        let t061 = t054 * t056;
+        work.t062 = 0.0 + t061;
+        let t063 = t055 * t055;
+        work.t064 = 0.0 + t063;
+        let t065 = t055 * t056;
+        work.t066 = 0.0 + t065;
+        let t067 = t056 * t056;
+        work.t068 = 0.0 + t067;
+        let t069 = t054 * t053;
+        work.t070 = 0.0 + t069;
+        let t071 = t055 * t053;
+        work.t072 = 0.0 + t071;
+        let t073 = t056 * t053;
+        work.t074 = 0.0 + t073;
     }
 
     /// Part 3 of a step.
     fn part_3(&self, work: &mut Work) {
-        work.t074 = work.t057;
-        work.t075 = work.t059;
-        work.t076 = work.t061;
-        work.t077 = work.t063;
-        work.t078 = work.t065;
-        work.t079 = work.t067;
-        work.t080 = work.t069;
-        work.t081 = work.t071;
-        work.t082 = work.t073;
-        work.t083 = 0.0;
+        work.t075 = work.t058;
+        work.t076 = work.t060;
+        work.t077 = work.t062;
+        work.t078 = work.t064;
+        work.t079 = work.t066;
+        work.t080 = work.t068;
+        work.t081 = work.t070;
+        work.t082 = work.t072;
+        work.t083 = work.t074;
         work.t084 = 0.0;
         work.t085 = 0.0;
-        let mut t086: usize = work.t046;
+        work.t086 = 0.0;
+        work.t087 = work.t051;
+        let mut t088: usize = work.t046;
         for gains in &ROWS {
-            let t087 = if t086 < 100 { t086 + 1 } else { 0 };
-            let t088 = self.u[t087];
-            let t090 = 0.000_999_413_5 * work.t084;
-            let t092 = 7.021_338e-6 * work.t085;
-            let t093 = work.t083 + t090;
-            let t094 = t093 + t092;
-            let t095 = 9.516_694e-8 * t088;
-            let t096 = t094 + t095;
-            let t098 = 0.998_745 * work.t084;
-            let t100 = 0.013_586_936_5 * work.t085;
-            let t101 = t098 + t100;
-            let t102 = 0.000_280_853_54 * t088;
-            let t103 = t101 + t102;
-            let t105 = -0.032_970_965 * work.t084;
-            let t107 = 0.818_491_64 * work.t085;
-            let t108 = t105 + t107;
-            let t109 = 0.036_250_554 * t088;
-            let t110 = t108 + t109;
-            let t111 = gains[0];
-            let t112 = gains[1];
-            let t113 = gains[2];
-            let t114 = self.has_y[t087];
-            let t115 = self.y[t087];
-            let t116 = t115 - t096;
-            let t117 = t114 * t111;
-            let t118 = t114 * t112;
-            let t119 = t114 * t113;
-            let t120 = t117 * t117;
-            let t121 = work.t074 + t120;
-            let t122 = t117 * t118;
-            let t123 = work.t075 + t122;
-            let t124 = t117 * t119;
-            let t125 = work.t076 + t124;
-            let t126 = t118 * t118;
-            let t127 = work.t077 + t126;
-            let t128 = t118 * t119;
-            let t129 = work.t078 + t128;
-            let t130 = t119 * t119;
-            let t131 = work.t079 + t130;
-            let t132 = t117 * t116;
-            let t133 = work.t080 + t132;
-            let t134 = t118 * t116;
-            let t135 = work.t081 + t134;
-            let t136 = t119 * t116;
-            let t137 = work.t082 + t136;
-            work.t074 = t121;
-            work.t075 = t123;
-            work.t076 = t125;
-            work.t077 = t127;
-            work.t078 = t129;
-            work.t079 = t131;
-            work.t080 = t133;
-            work.t081 = t135;
-            work.t082 = t137;
-            work.t083 = t096;
-            work.t084 = t103;
-            work.t085 = t110;
-            t086 = t087;
+            let t089 = if t088 < 100 { t088 + 1 } else { 0 };
+            let t090 = self.u[t089];
+            let t092 = 0.000_999_413_5 * work.t085;
+            let t094 = 7.021_338e-6 * work.t086;
+            let t095 = work.t084 + t092;
+            let t096 = t095 + t094;
+            let t097 = 9.516_694e-8 * t090;
+            let t098 = t096 + t097;
+            let t100 = 0.998_745 * work.t085;
+            let t102 = 0.013_586_936_5 * work.t086;
+            let t103 = t100 + t102;
+            let t104 = 0.000_280_853_54 * t090;
+            let t105 = t103 + t104;
+            let t107 = -0.032_970_965 * work.t085;
+            let t109 = 0.818_491_64 * work.t086;
+            let t110 = t107 + t109;
+            let t111 = 0.036_250_554 * t090;
+            let t112 = t110 + t111;
+            let t113 = gains[0];
+            let t114 = gains[1];
+            let t115 = gains[2];
+            let t116 = self.has_y[t089];
+            let t117 = work.t087 + t116;
+            let t118 = self.y[t089];
+            let t119 = t118 - t098;
+            let t120 = t116 * t113;
+            let t121 = t116 * t114;
+            let t122 = t116 * t115;
+            let t123 = t120 * t120;
+            let t124 = work.t075 + t123;
+            let t125 = t120 * t121;
+            let t126 = work.t076 + t125;
+            let t127 = t120 * t122;
+            let t128 = work.t077 + t127;
+            let t129 = t121 * t121;
+            let t130 = work.t078 + t129;
+            let t131 = t121 * t122;
+            let t132 = work.t079 + t131;
+            let t133 = t122 * t122;
+            let t134 = work.t080 + t133;
+            let t135 = t120 * t119;
+            let t136 = work.t081 + t135;
+            let t137 = t121 * t119;
+            let t138 = work.t082 + t137;
+            let t139 = t122 * t119;
+            let t140 = work.t083 + t139;
+            work.t075 = t124;
+            work.t076 = t126;
+            work.t077 = t128;
+            work.t078 = t130;
+            work.t079 = t132;
+            work.t080 = t134;
+            work.t081 = t136;
+            work.t082 = t138;
+            work.t083 = t140;
+            work.t084 = t098;
+            work.t085 = t105;
+            work.t086 = t112;
+            work.t087 = t117;
+            t088 = t089;
         }
     }
 
     /// Part 4 of a step.
     fn part_4(work: &mut Work) {
-        // the window's start from the samples that are there
-        let t139 = 0.000_127_305 < work.t074;
-        let t140 = if t139 { work.t074 } else { 1.0 };
-        let t141 = work.t075 / t140;
-        let t142 = t141 * work.t075;
-        let t143 = work.t077 - t142;
-        let t144 = t141 * work.t076;
-        let t145 = work.t078 - t144;
-        let t146 = t141 * work.t080;
-        let t147 = work.t081 - t146;
-        let t148 = work.t076 / t140;
-        let t149 = t148 * work.t076;
-        let t150 = work.t079 - t149;
-        let t151 = t148 * work.t080;
-        let t152 = work.t082 - t151;
-        let t153 = 0.000_127_305 < t143;
-        let t154 = t139 && t153;
-        let t155 = if t153 { t143 } else { 1.0 };
-        let t156 = t145 / t155;
-        let t157 = t156 * t145;
-        let t158 = t150 - t157;
-        let t159 = t156 * t147;
-        let t160 = t152 - t159;
-        let t161 = 0.000_127_305 < t158;
-        work.flags[1] = t154 && t161;
-        let t163 = if t161 { t158 } else { 1.0 };
-        let t164 = t160 / t163;
-        let t165 = t145 * t164;
-        let t166 = t147 - t165;
-        let t167 = t166 / t155;
-        let t168 = work.t075 * t167;
-        let t169 = work.t080 - t168;
-        let t170 = work.t076 * t164;
-        let t171 = t169 - t170;
-        let t172 = t171 / t140;
-        let t173 = 0.099_503_72 * t172;
-        let t175 = 0.160_224_2 * t167;
-        let t177 = 0.065_137_93 * t164;
-        let t178 = t173 + t175;
-        let t179 = t178 + t177;
-        work.t180 = t179 + work.t083;
-        let t182 = 2.811_884_2 * t167;
-        let t184 = 1.841_816_8 * t164;
-        let t185 = t182 + t184;
-        work.t186 = t185 + work.t084;
-        let t188 = -0.521_628_56 * t167;
-        let t190 = -0.341_667_77 * t164;
-        let t191 = t188 + t190;
-        work.t192 = t191 + work.t085;
+        // the state from the samples that are there, and its variance
+        let t150 = 0.0001 * work.t075;
+        let t151 = t150 + 9.860_761_3e-32;
+        let t152 = 0.0001 * work.t078;
+        let t153 = t152 + 9.860_761_3e-32;
+        let t154 = 0.0001 * work.t080;
+        let t155 = t154 + 9.860_761_3e-32;
+        let t156 = t151 < work.t075;
+        let t157 = if t156 { work.t075 } else { 1.0 };
+        let t158 = work.t076 / t157;
+        let t159 = work.t077 / t157;
+        let t160 = t158 * work.t076;
+        let t161 = work.t078 - t160;
+        let t162 = t158 * work.t077;
+        let t163 = work.t079 - t162;
+        let t164 = t158 * work.t081;
+        let t165 = work.t082 - t164;
+        let t166 = t159 * work.t077;
+        let t167 = work.t080 - t166;
+        let t168 = t159 * work.t081;
+        let t169 = work.t083 - t168;
+        let t170 = work.t081 / t157;
+        let t171 = t158 * 0.012_437_965;
+        let t172 = 0.020_028_025 - t171;
+        let t173 = t159 * 0.012_437_965;
+        let t174 = 0.008_142_241 - t173;
+        let t175 = 0.012_437_965 * t170;
+        let t176 = 0.012_437_965 / t157;
+        let t177 = 0.012_437_965 * t176;
+        let t178 = t153 < t161;
+        let t179 = t156 && t178;
+        let t180 = if t178 { t161 } else { 1.0 };
+        let t181 = t163 / t180;
+        let t182 = t181 * t163;
+        let t183 = t167 - t182;
+        let t184 = t181 * t165;
+        let t185 = t169 - t184;
+        let t186 = t165 / t180;
+        let t187 = t181 * t172;
+        let t188 = t174 - t187;
+        let t189 = t172 * t186;
+        let t190 = t175 + t189;
+        let t191 = t172 / t180;
+        let t192 = t172 * t191;
+        let t193 = t177 + t192;
+        let t194 = t181 * 0.021_967_845;
+        let t195 = 0.014_389_194 - t194;
+        let t196 = 0.021_967_845 * t186;
+        let t197 = 0.021_967_845 / t180;
+        let t198 = 0.021_967_845 * t197;
+        let t199 = t181 * -0.032_601_785;
+        let t200 = -0.021_354_236 - t199;
+        let t201 = -0.032_601_785 * t186;
+        let t202 = -0.032_601_785 / t180;
+        let t203 = -0.032_601_785 * t202;
+        let t204 = t155 < t183;
+        work.flags[1] = t179 && t204;
+        let t206 = if t204 { t183 } else { 1.0 };
+        let t207 = t185 / t206;
+        let t208 = t188 * t207;
+        let t209 = t190 + t208;
+        let t210 = t188 / t206;
+        let t211 = t188 * t210;
+        work.t212 = t193 + t211;
+        let t213 = t195 * t207;
+        let t214 = t196 + t213;
+        let t215 = t195 / t206;
+        let t216 = t195 * t215;
+        work.t217 = t198 + t216;
+        let t218 = t200 * t207;
+        let t219 = t201 + t218;
+        let t220 = t200 / t206;
+        let t221 = t200 * t220;
+        work.t222 = t203 + t221;
+        work.t224 = 8.0 * t209;
+        work.t226 = 128.0 * t214;
+        work.t228 = 16.0 * t219;
     }
 
     /// Part 5 of a step.
     fn part_5(&mut self, work: &mut Work) {
+        // what it is worth
+        let t230 = work.t212 * 0.874_588_5;
+        let t231 = 0.0 < t230;
+        let t232 = if t231 { t230 } else { 0.0 };
+        let t234 = work.t217 * 0.761_432;
+        let t235 = t232 < t234;
+        let t236 = if t235 { t234 } else { t232 };
+        let t238 = work.t222 * 0.345_731_85;
+        let t239 = t236 < t238;
+        let t240 = if t239 { t238 } else { t236 };
+        let t245 = t240 <= 421_225.03;
+        let t246 = work.flags[1] && t245;
+        let t247 = t240 <= 0.421_225;
+        let t248 = t246 && t247;
+        let t249 = 2.078_581_6 * work.t087;
+        let t250 = t249 + 24.661_118;
+        let t251 = t240 * t250;
+        let t252 = t251 <= 1.0;
+        let t253 = t248 && t252;
+        let t254 = 0.0 < work.t087;
+        let t255 = work.t224 + work.t084;
+        let t256 = work.t226 + work.t085;
+        let t257 = work.t228 + work.t086;
+
         // without enough samples, the model's prediction
-        let t193 = self.known;
-        let t194 = t193 == 1;
-        let t195 = (-1e21..=1e21).contains(&work.t012);
-        let t196 = t194 && t195;
-        let t197 = if work.flags[1] { work.t180 } else { work.t012 };
-        let t198 = (-1e21..=1e21).contains(&work.t016);
-        let t199 = t196 && t198;
-        let t200 = if work.flags[1] { work.t186 } else { work.t016 };
-        let t201 = (-1e21..=1e21).contains(&work.t020);
-        let t202 = t199 && t201;
-        let t203 = if work.flags[1] { work.t192 } else { work.t020 };
-        let t204 = work.flags[1] || t202;
-        let t205 = work.flags[0] && t204;
-        let t206 = usize::from(t205);
-        self.known = t206;
-        let t208 = 0.000_999_413_5 * t200;
-        let t210 = 7.021_338e-6 * t203;
-        let t211 = t197 + t208;
-        let t212 = t211 + t210;
-        let t213 = (-1e21..=1e21).contains(&t212);
-        let t214 = if t213 { t212 } else { 0.0 };
-        self.next_q = t214;
-        let t216 = 0.998_745 * t200;
-        let t218 = 0.013_586_936_5 * t203;
-        let t219 = t216 + t218;
-        let t220 = (-1e21..=1e21).contains(&t219);
-        let t221 = if t220 { t219 } else { 0.0 };
-        self.next_dq = t221;
-        let t223 = -0.032_970_965 * t200;
-        let t225 = 0.818_491_64 * t203;
-        let t226 = t223 + t225;
-        let t227 = (-1e21..=1e21).contains(&t226);
-        let t228 = if t227 { t226 } else { 0.0 };
-        self.next_i = t228;
+        let t258 = self.known;
+        let t259 = t258 == 1;
+        let t260 = (-1e30..=1e30).contains(&work.t012);
+        let t261 = t259 && t260;
+        let t262 = (-1e30..=1e30).contains(&work.t016);
+        let t263 = t261 && t262;
+        let t264 = (-1e30..=1e30).contains(&work.t020);
+        let t265 = t263 && t264;
+        let t266 = self.poor;
+        let t267 = if t266 < 303 { t266 + 1 } else { 303 };
+        let t268 = if t254 { t267 } else { t266 };
+        let t269 = if t248 { 0 } else { t268 };
+        self.poor = t269;
+        let t271 = t269 < 303;
+        let t272 = t271 && t265;
+        let t273 = !t272;
+        let t274 = t248 || t273;
+        let t275 = t246 && t274;
+        let t276 = if t275 { t255 } else { work.t012 };
+        let t277 = if t275 { t256 } else { work.t016 };
+        let t278 = if t275 { t257 } else { work.t020 };
+        let t279 = t275 || t265;
+        let t280 = work.flags[0] && t279;
+        let t281 = usize::from(t280);
+        self.known = t281;
+        let t283 = 0.000_999_413_5 * t277;
+        let t285 = 7.021_338e-6 * t278;
+        let t286 = t276 + t283;
+        let t287 = t286 + t285;
+        let t288 = (-1e30..=1e30).contains(&t287);
+        let t289 = if t288 { t287 } else { 0.0 };
+        self.next_q = t289;
+        let t291 = 0.998_745 * t277;
+        let t293 = 0.013_586_936_5 * t278;
+        let t294 = t291 + t293;
+        let t295 = (-1e30..=1e30).contains(&t294);
+        let t296 = if t295 { t294 } else { 0.0 };
+        self.next_dq = t296;
+        let t298 = -0.032_970_965 * t277;
+        let t300 = 0.818_491_64 * t278;
+        let t301 = t298 + t300;
+        let t302 = (-1e30..=1e30).contains(&t301);
+        let t303 = if t302 { t301 } else { 0.0 };
+        self.next_i = t303;
 
         // the estimate; until there is one, the start
-        work.t229 = if t205 { t197 } else { work.t023 };
-        work.t230 = if t205 { t200 } else { 0.0 };
-        work.t231 = if t205 { t203 } else { 0.0 };
-        let t232 = self.coasting;
-        let t233 = t232 == 0;
-        let t234 = work.flags[1] && t233;
-        let t238 = if t234 { Status::Converged } else { Status::Coasting };
-        work.t239 = if t205 { t238 } else { Status::Converging };
+        work.t304 = if t280 { t276 } else { work.t023 };
+        work.t305 = if t280 { t277 } else { 0.0 };
+        work.t306 = if t280 { t278 } else { 0.0 };
+        let t307 = self.coasting;
+        let t308 = t307 == 0;
+        let t309 = t253 && t308;
+        let t313 = if t309 { Status::Converged } else { Status::Coasting };
+        work.t314 = if t280 { t313 } else { Status::Converging };
     }
 }
 const _: f32 = SAMPLE_TIME;

@@ -12,7 +12,8 @@
 //! Method     window: least squares over the samples that are there of the last 51 (0.05 s at 0.001 s)
 //! Converged  from call 51 (0.05 s after the first), whatever the initial state
 //!            a missing sample is left out: with fewer samples the gains are larger, without noise the estimate is as exact
-//!            where those that are there do not determine the state, the model's prediction stands in (COASTING)
+//!            CONVERGED while the bound with samples lost holds; beyond it COASTING: the estimate of the samples that are there,
+//!            or, where they do not determine the state or hardly do, the model's prediction, the latter for three windows at most
 //!            each sample counts at its own time; the gains are of samples of age 0
 //!
 //!                                     q         dq        ddq
@@ -23,9 +24,9 @@
 //!   no error bound: it depends on when samples come; the gains are of regular gaps
 //!   on top: rounding in f32, of which there is no bound here
 //!
-//! Cost       1446 multiplications, 1397 additions, 6 divisions a call, the same for every call
-//! Memory     state 644 bytes, constants 1800 bytes
-//!            at most: stack 2468 bytes, flash 10888 bytes without elementary functions
+//! Cost       1463 multiplications, 1456 additions, 12 divisions a call, the same for every call
+//! Memory     state 648 bytes, constants 1800 bytes
+//!            at most: stack 3028 bytes, flash 12968 bytes without elementary functions
 //!
 //! Contract:
 //!  1. No heap, no recursion, no global or static mutable data, no file or console, no library.
@@ -90,6 +91,8 @@ pub struct Observer {
     next_ddq: f32,
     /// whether that comes from an estimate
     known: usize,
+    /// calls with samples since these were worth more than a prediction
+    poor: usize,
     /// calls since a sample was accepted
     since: usize,
     /// ages of these over the oldest, of edge by slot
@@ -170,15 +173,15 @@ struct Work {
     t035: f32,
     t039: usize,
     t048: usize,
-    t080: f32,
-    t082: f32,
-    t084: f32,
-    t086: f32,
-    t088: f32,
-    t090: f32,
-    t092: f32,
-    t094: f32,
-    t096: f32,
+    t073: f32,
+    t081: f32,
+    t083: f32,
+    t085: f32,
+    t087: f32,
+    t089: f32,
+    t091: f32,
+    t093: f32,
+    t095: f32,
     t097: f32,
     t098: f32,
     t099: f32,
@@ -192,29 +195,35 @@ struct Work {
     t107: f32,
     t108: f32,
     t109: f32,
-    t110: usize,
-    t111: usize,
-    t117: f32,
+    t110: f32,
+    t111: f32,
+    t112: usize,
+    t113: usize,
     t119: f32,
-    t128: f32,
-    t164: f32,
-    t166: f32,
-    t168: f32,
-    t170: f32,
-    t172: f32,
-    t174: f32,
-    t176: f32,
-    t178: f32,
-    t180: f32,
+    t121: f32,
+    t130: f32,
+    t157: f32,
+    t167: f32,
+    t169: f32,
+    t171: f32,
+    t173: f32,
+    t175: f32,
+    t177: f32,
+    t179: f32,
     t181: f32,
-    t228: f32,
-    t230: f32,
-    t233: f32,
-    t265: f32,
-    t266: f32,
-    t267: f32,
-    t275: Status,
-    /// t47, t206
+    t183: f32,
+    t184: f32,
+    t250: f32,
+    t255: f32,
+    t258: f32,
+    t260: f32,
+    t262: f32,
+    t264: f32,
+    t335: f32,
+    t336: f32,
+    t337: f32,
+    t345: Status,
+    /// t47, t243
     flags: [bool; 2],
 }
 
@@ -229,15 +238,15 @@ impl Work {
         t035: 0.0,
         t039: 0,
         t048: 0,
-        t080: 0.0,
-        t082: 0.0,
-        t084: 0.0,
-        t086: 0.0,
-        t088: 0.0,
-        t090: 0.0,
-        t092: 0.0,
-        t094: 0.0,
-        t096: 0.0,
+        t073: 0.0,
+        t081: 0.0,
+        t083: 0.0,
+        t085: 0.0,
+        t087: 0.0,
+        t089: 0.0,
+        t091: 0.0,
+        t093: 0.0,
+        t095: 0.0,
         t097: 0.0,
         t098: 0.0,
         t099: 0.0,
@@ -251,28 +260,34 @@ impl Work {
         t107: 0.0,
         t108: 0.0,
         t109: 0.0,
-        t110: 0,
-        t111: 0,
-        t117: 0.0,
+        t110: 0.0,
+        t111: 0.0,
+        t112: 0,
+        t113: 0,
         t119: 0.0,
-        t128: 0.0,
-        t164: 0.0,
-        t166: 0.0,
-        t168: 0.0,
-        t170: 0.0,
-        t172: 0.0,
-        t174: 0.0,
-        t176: 0.0,
-        t178: 0.0,
-        t180: 0.0,
+        t121: 0.0,
+        t130: 0.0,
+        t157: 0.0,
+        t167: 0.0,
+        t169: 0.0,
+        t171: 0.0,
+        t173: 0.0,
+        t175: 0.0,
+        t177: 0.0,
+        t179: 0.0,
         t181: 0.0,
-        t228: 0.0,
-        t230: 0.0,
-        t233: 0.0,
-        t265: 0.0,
-        t266: 0.0,
-        t267: 0.0,
-        t275: Status::Converging,
+        t183: 0.0,
+        t184: 0.0,
+        t250: 0.0,
+        t255: 0.0,
+        t258: 0.0,
+        t260: 0.0,
+        t262: 0.0,
+        t264: 0.0,
+        t335: 0.0,
+        t336: 0.0,
+        t337: 0.0,
+        t345: Status::Converging,
         flags: [false; 2],
     };
 }
@@ -291,6 +306,7 @@ impl Observer {
             next_dq: 0.0,
             next_ddq: 0.0,
             known: 0,
+            poor: 153,
             since: 0,
             age_edge: [0.0; 51],
         }
@@ -302,14 +318,14 @@ impl Observer {
         self.part_1(measurements, &mut work);
         self.part_2(&mut work);
         self.part_4(&mut work);
-        self.part_5(&mut work);
+        Self::part_5(&mut work);
         self.part_6(&mut work);
         Estimate {
-            q: work.t265,
-            dq: work.t266,
-            ddq: work.t267,
+            q: work.t335,
+            dq: work.t336,
+            ddq: work.t337,
             coasted: ::deadbeat::math::u32_from_index(work.t039),
-            status: work.t275,
+            status: work.t345,
         }
     }
 
@@ -385,239 +401,299 @@ impl Observer {
         let t070 = 0.295_218_35 + t067;
         let t071 = t070 + t069;
         let t072 = self.has_edge[work.t048.min(50)];
-        let t073 = 0.0 + t056;
-        let t074 = t073 + t057;
-        let t075 = 0.0 - t074;
-        let t076 = t072 * t059;
-        let t077 = t072 * t064;
-        let t078 = t072 * t071;
-        let t079 = t076 * t076;
-        work.t080 = 0.0 + t079;
-        let t081 = t076 * t077;
-        work.t082 = 0.0 + t081;
-        let t083 = t076 * t078;
-        work.t084 = 0.0 + t083;
-        let t085 = t077 * t077;
-        work.t086 = 0.0 + t085;
-        let t087 = t077 * t078;
-        work.t088 = 0.0 + t087;
-        let t089 = t078 * t078;
-        work.t090 = 0.0 + t089;
-        let t091 = t076 * t075;
-        work.t092 = 0.0 + t091;
-        let t093 = t077 * t075;
-        work.t094 = 0.0 + t093;
-        let t095 = t078 * t075;
-        work.t096 = 0.0 + t095;
+        work.t073 = 0.0 + t072;
+        let t074 = 0.0 + t056;
+        let t075 = t074 + t057;
+        let t076 = 0.0 - t075;
+        let t077 = t072 * t059;
+        let t078 = t072 * t064;
+        let t079 = t072 * t071;
+        let t080 = t077 * t077;
+        work.t081 = 0.0 + t080;
+        let t082 = t077 * t078;
+        work.t083 = 0.0 + t082;
+        let t084 = t077 * t079;
+        work.t085 = 0.0 + t084;
+        let t086 = t078 * t078;
+        work.t087 = 0.0 + t086;
+        let t088 = t078 * t079;
+        work.t089 = 0.0 + t088;
+        let t090 = t079 * t079;
+        work.t091 = 0.0 + t090;
+        let t092 = t077 * t076;
+        work.t093 = 0.0 + t092;
+        let t094 = t078 * t076;
+        work.t095 = 0.0 + t094;
+        let t096 = t079 * t076;
+        work.t097 = 0.0 + t096;
     }
 
     /// Part 3 of a step, for one row of `ROWS`.
     fn part_3(&self, work: &mut Work, gains: [f32; 9]) {
-        work.t111 = if work.t110 < 50 { work.t110 + 1 } else { 0 };
-        let t113 = 0.001 * work.t107;
-        let t115 = 5e-7 * work.t108;
-        let t116 = work.t106 + t113;
-        work.t117 = t116 + t115;
-        let t118 = 0.001 * work.t108;
-        work.t119 = work.t107 + t118;
-        let t120 = self.edge[work.t110.min(50)];
-        let t121 = self.edge[work.t111.min(50)];
-        let t122 = t121 - t120;
-        let t123 = t122 * 0.159_154_94;
-        let t124 = t123 + 1.258_291_2e7;
-        let t125 = t124 - 1.258_291_2e7;
-        let t126 = t125 * 6.283_185_5;
-        let t127 = t122 - t126;
-        work.t128 = work.t109 + t127;
-        let t129 = self.age_edge[work.t111.min(50)];
-        let t130 = -0.01 * t129;
-        let t131 = 5e-5 * t129;
-        let t132 = t131 * t129;
-        let t133 = gains[0];
-        let t134 = gains[3];
-        let t135 = t130 * t134;
-        let t136 = gains[6];
+        work.t113 = if work.t112 < 50 { work.t112 + 1 } else { 0 };
+        let t115 = 0.001 * work.t108;
+        let t117 = 5e-7 * work.t109;
+        let t118 = work.t107 + t115;
+        work.t119 = t118 + t117;
+        let t120 = 0.001 * work.t109;
+        work.t121 = work.t108 + t120;
+        let t122 = self.edge[work.t112.min(50)];
+        let t123 = self.edge[work.t113.min(50)];
+        let t124 = t123 - t122;
+        let t125 = t124 * 0.159_154_94;
+        let t126 = t125 + 1.258_291_2e7;
+        let t127 = t126 - 1.258_291_2e7;
+        let t128 = t127 * 6.283_185_5;
+        let t129 = t124 - t128;
+        work.t130 = work.t110 + t129;
+        let t131 = self.age_edge[work.t113.min(50)];
+        let t132 = -0.01 * t131;
+        let t133 = 5e-5 * t131;
+        let t134 = t133 * t131;
+        let t135 = gains[0];
+        let t136 = gains[3];
         let t137 = t132 * t136;
-        let t138 = t133 + t135;
-        let t139 = t138 + t137;
-        let t140 = gains[1];
-        let t141 = gains[4];
-        let t142 = t130 * t141;
-        let t143 = gains[7];
+        let t138 = gains[6];
+        let t139 = t134 * t138;
+        let t140 = t135 + t137;
+        let t141 = t140 + t139;
+        let t142 = gains[1];
+        let t143 = gains[4];
         let t144 = t132 * t143;
-        let t145 = t140 + t142;
-        let t146 = t145 + t144;
-        let t147 = gains[2];
-        let t148 = gains[5];
-        let t149 = t130 * t148;
-        let t150 = gains[8];
+        let t145 = gains[7];
+        let t146 = t134 * t145;
+        let t147 = t142 + t144;
+        let t148 = t147 + t146;
+        let t149 = gains[2];
+        let t150 = gains[5];
         let t151 = t132 * t150;
-        let t152 = t147 + t149;
-        let t153 = t152 + t151;
-        let t154 = self.has_edge[work.t111.min(50)];
-        let t155 = t130 * work.t119;
-        let t156 = t132 * work.t108;
-        let t157 = work.t117 + t155;
-        let t158 = t157 + t156;
-        let t159 = work.t128 - t158;
-        let t160 = t154 * t139;
-        let t161 = t154 * t146;
-        let t162 = t154 * t153;
-        let t163 = t160 * t160;
-        work.t164 = work.t097 + t163;
-        let t165 = t160 * t161;
-        work.t166 = work.t098 + t165;
-        let t167 = t160 * t162;
-        work.t168 = work.t099 + t167;
-        let t169 = t161 * t161;
-        work.t170 = work.t100 + t169;
-        let t171 = t161 * t162;
-        work.t172 = work.t101 + t171;
-        let t173 = t162 * t162;
-        work.t174 = work.t102 + t173;
-        let t175 = t160 * t159;
-        work.t176 = work.t103 + t175;
-        let t177 = t161 * t159;
-        work.t178 = work.t104 + t177;
-        let t179 = t162 * t159;
-        work.t180 = work.t105 + t179;
-        work.t181 = work.t108 - 0.0;
+        let t152 = gains[8];
+        let t153 = t134 * t152;
+        let t154 = t149 + t151;
+        let t155 = t154 + t153;
+        let t156 = self.has_edge[work.t113.min(50)];
+        work.t157 = work.t111 + t156;
+        let t158 = t132 * work.t121;
+        let t159 = t134 * work.t109;
+        let t160 = work.t119 + t158;
+        let t161 = t160 + t159;
+        let t162 = work.t130 - t161;
+        let t163 = t156 * t141;
+        let t164 = t156 * t148;
+        let t165 = t156 * t155;
+        let t166 = t163 * t163;
+        work.t167 = work.t098 + t166;
+        let t168 = t163 * t164;
+        work.t169 = work.t099 + t168;
+        let t170 = t163 * t165;
+        work.t171 = work.t100 + t170;
+        let t172 = t164 * t164;
+        work.t173 = work.t101 + t172;
+        let t174 = t164 * t165;
+        work.t175 = work.t102 + t174;
+        let t176 = t165 * t165;
+        work.t177 = work.t103 + t176;
+        let t178 = t163 * t162;
+        work.t179 = work.t104 + t178;
+        let t180 = t164 * t162;
+        work.t181 = work.t105 + t180;
+        let t182 = t165 * t162;
+        work.t183 = work.t106 + t182;
+        work.t184 = work.t109 - 0.0;
     }
 
     /// Part 4 of a step.
     fn part_4(&self, work: &mut Work) {
-        work.t097 = work.t080;
-        work.t098 = work.t082;
-        work.t099 = work.t084;
-        work.t100 = work.t086;
-        work.t101 = work.t088;
-        work.t102 = work.t090;
-        work.t103 = work.t092;
-        work.t104 = work.t094;
-        work.t105 = work.t096;
-        work.t106 = 0.0;
+        work.t098 = work.t081;
+        work.t099 = work.t083;
+        work.t100 = work.t085;
+        work.t101 = work.t087;
+        work.t102 = work.t089;
+        work.t103 = work.t091;
+        work.t104 = work.t093;
+        work.t105 = work.t095;
+        work.t106 = work.t097;
         work.t107 = 0.0;
         work.t108 = 0.0;
         work.t109 = 0.0;
-        work.t110 = work.t048;
+        work.t110 = 0.0;
+        work.t111 = work.t073;
+        work.t112 = work.t048;
         for gains in &ROWS {
             self.part_3(work, *gains);
-            work.t097 = work.t164;
-            work.t098 = work.t166;
-            work.t099 = work.t168;
-            work.t100 = work.t170;
-            work.t101 = work.t172;
-            work.t102 = work.t174;
-            work.t103 = work.t176;
-            work.t104 = work.t178;
-            work.t105 = work.t180;
-            work.t106 = work.t117;
+            work.t098 = work.t167;
+            work.t099 = work.t169;
+            work.t100 = work.t171;
+            work.t101 = work.t173;
+            work.t102 = work.t175;
+            work.t103 = work.t177;
+            work.t104 = work.t179;
+            work.t105 = work.t181;
+            work.t106 = work.t183;
             work.t107 = work.t119;
-            work.t108 = work.t181;
-            work.t109 = work.t128;
-            work.t110 = work.t111;
+            work.t108 = work.t121;
+            work.t109 = work.t184;
+            work.t110 = work.t130;
+            work.t111 = work.t157;
+            work.t112 = work.t113;
         }
     }
 
     /// Part 5 of a step.
-    fn part_5(&self, work: &mut Work) {
-        // the window's start from the samples that are there
-        let t183 = 0.015_625 < work.t097;
-        let t184 = if t183 { work.t097 } else { 1.0 };
-        let t185 = work.t098 / t184;
-        let t186 = t185 * work.t098;
-        let t187 = work.t100 - t186;
-        let t188 = t185 * work.t099;
-        let t189 = work.t101 - t188;
-        let t190 = t185 * work.t103;
-        let t191 = work.t104 - t190;
-        let t192 = work.t099 / t184;
-        let t193 = t192 * work.t099;
-        let t194 = work.t102 - t193;
-        let t195 = t192 * work.t103;
-        let t196 = work.t105 - t195;
-        let t197 = 0.015_625 < t187;
-        let t198 = t183 && t197;
-        let t199 = if t197 { t187 } else { 1.0 };
-        let t200 = t189 / t199;
-        let t201 = t200 * t189;
-        let t202 = t194 - t201;
-        let t203 = t200 * t191;
-        let t204 = t196 - t203;
-        let t205 = 0.015_625 < t202;
-        work.flags[1] = t198 && t205;
-        let t207 = if t205 { t202 } else { 1.0 };
-        let t208 = t204 / t207;
-        let t209 = t189 * t208;
-        let t210 = t191 - t209;
-        let t211 = t210 / t199;
-        let t212 = work.t098 * t211;
-        let t213 = work.t103 - t212;
-        let t214 = work.t099 * t208;
-        let t215 = t213 - t214;
-        let t216 = t215 / t184;
-        let t217 = 0.140_028_01 * t216;
-        let t219 = 0.237_825_75 * t211;
-        let t220 = 0.295_218_35 * t208;
-        let t221 = t217 + t219;
-        let t222 = t221 + t220;
-        let t223 = t222 + work.t106;
-        let t224 = 9.51303 * t211;
-        let t226 = 36.149_185 * t208;
-        let t227 = t224 + t226;
-        work.t228 = t227 + work.t107;
-        let t229 = 1445.9674 * t208;
-        work.t230 = t229 + work.t108;
-        let t231 = self.edge[work.t025.min(50)];
-        let t232 = t231 - work.t109;
-        work.t233 = t223 + t232;
+    fn part_5(work: &mut Work) {
+        // the state from the samples that are there, and its variance
+        let t193 = 0.0001 * work.t098;
+        let t194 = t193 + 9.860_761_3e-32;
+        let t195 = 0.0001 * work.t101;
+        let t196 = t195 + 9.860_761_3e-32;
+        let t197 = 0.0001 * work.t103;
+        let t198 = t197 + 9.860_761_3e-32;
+        let t199 = t194 < work.t098;
+        let t200 = if t199 { work.t098 } else { 1.0 };
+        let t201 = work.t099 / t200;
+        let t202 = work.t100 / t200;
+        let t203 = t201 * work.t099;
+        let t204 = work.t101 - t203;
+        let t205 = t201 * work.t100;
+        let t206 = work.t102 - t205;
+        let t207 = t201 * work.t104;
+        let t208 = work.t105 - t207;
+        let t209 = t202 * work.t100;
+        let t210 = work.t103 - t209;
+        let t211 = t202 * work.t104;
+        let t212 = work.t106 - t211;
+        let t213 = work.t104 / t200;
+        let t214 = t201 * 0.017_503_502;
+        let t215 = 0.029_728_219 - t214;
+        let t216 = t202 * 0.017_503_502;
+        let t217 = 0.036_902_294 - t216;
+        let t218 = 0.017_503_502 * t213;
+        let t219 = 0.017_503_502 / t200;
+        let t220 = 0.017_503_502 * t219;
+        let t221 = t196 < t204;
+        let t222 = t199 && t221;
+        let t223 = if t221 { t204 } else { 1.0 };
+        let t224 = t206 / t223;
+        let t225 = t224 * t206;
+        let t226 = t210 - t225;
+        let t227 = t224 * t208;
+        let t228 = t212 - t227;
+        let t229 = t208 / t223;
+        let t230 = t224 * t215;
+        let t231 = t217 - t230;
+        let t232 = t215 * t229;
+        let t233 = t218 + t232;
+        let t234 = t215 / t223;
+        let t235 = t215 * t234;
+        let t236 = t220 + t235;
+        let t237 = t224 * 0.018_580_137;
+        let t238 = 0.070_603_88 - t237;
+        let t239 = 0.018_580_137 * t229;
+        let t240 = 0.018_580_137 / t223;
+        let t241 = 0.018_580_137 * t240;
+        let t242 = t198 < t226;
+        work.flags[1] = t222 && t242;
+        let t244 = if t242 { t226 } else { 1.0 };
+        let t245 = t228 / t244;
+        let t246 = t231 * t245;
+        let t247 = t233 + t246;
+        let t248 = t231 / t244;
+        let t249 = t231 * t248;
+        work.t250 = t236 + t249;
+        let t251 = t238 * t245;
+        let t252 = t239 + t251;
+        let t253 = t238 / t244;
+        let t254 = t238 * t253;
+        work.t255 = t241 + t254;
+        let t256 = 0.088_254_85 * t245;
+        let t257 = 0.088_254_85 / t244;
+        work.t258 = 0.088_254_85 * t257;
+        work.t260 = 8.0 * t247;
+        work.t262 = 512.0 * t252;
+        work.t264 = 16384.0 * t256;
     }
 
     /// Part 6 of a step.
     fn part_6(&mut self, work: &mut Work) {
+        // what it is worth
+        let t266 = work.t250 * 0.534_703_3;
+        let t267 = 0.0 < t266;
+        let t268 = if t267 { t266 } else { 0.0 };
+        let t270 = work.t255 * 0.377_715_08;
+        let t271 = t268 < t270;
+        let t272 = if t271 { t270 } else { t268 };
+        let t274 = work.t258 * 0.355_026_48;
+        let t275 = t272 < t274;
+        let t276 = if t275 { t274 } else { t272 };
+        let t279 = t276 <= 517_593.7;
+        let t280 = work.flags[1] && t279;
+        let t281 = t276 <= 0.517_593_7;
+        let t282 = t280 && t281;
+        let t283 = work.t111 + 0.0;
+        let t284 = t276 * t283;
+        let t285 = t284 <= 1.0;
+        let t286 = t282 && t285;
+        let t287 = 0.0 < work.t111;
+        let t288 = work.t260 + work.t107;
+        let t289 = work.t262 + work.t108;
+        let t290 = work.t264 + work.t109;
+        let t291 = self.edge[work.t025.min(50)];
+        let t292 = t291 - work.t110;
+        let t293 = t288 + t292;
+
         // without enough samples, the model's prediction
-        let t234 = self.known;
-        let t235 = t234 == 1;
-        let t237 = work.t032 * -6.283_185_5;
-        let t238 = work.t026 + t237;
-        let t239 = (-1e24..=1e24).contains(&t238);
-        let t240 = t235 && t239;
-        let t241 = if work.flags[1] { work.t233 } else { t238 };
-        let t242 = (-1e24..=1e24).contains(&work.t027);
-        let t243 = t240 && t242;
-        let t244 = if work.flags[1] { work.t228 } else { work.t027 };
-        let t245 = (-1e24..=1e24).contains(&work.t028);
-        let t246 = t243 && t245;
-        let t247 = if work.flags[1] { work.t230 } else { work.t028 };
-        let t248 = work.flags[1] || t246;
-        let t249 = work.flags[0] && t248;
-        let t250 = usize::from(t249);
-        self.known = t250;
-        let t252 = 0.001 * t244;
-        let t254 = 5e-7 * t247;
-        let t255 = t241 + t252;
-        let t256 = t255 + t254;
-        let t257 = (-1e24..=1e24).contains(&t256);
-        let t258 = if t257 { t256 } else { 0.0 };
-        self.next_q = t258;
-        let t259 = 0.001 * t247;
-        let t260 = t244 + t259;
-        let t261 = (-1e24..=1e24).contains(&t260);
-        let t262 = if t261 { t260 } else { 0.0 };
-        self.next_dq = t262;
-        let t263 = (-1e24..=1e24).contains(&t247);
-        let t264 = if t263 { t247 } else { 0.0 };
-        self.next_ddq = t264;
+        let t294 = self.known;
+        let t295 = t294 == 1;
+        let t297 = work.t032 * -6.283_185_5;
+        let t298 = work.t026 + t297;
+        let t299 = (-1e27..=1e27).contains(&t298);
+        let t300 = t295 && t299;
+        let t301 = (-1e27..=1e27).contains(&work.t027);
+        let t302 = t300 && t301;
+        let t303 = (-1e27..=1e27).contains(&work.t028);
+        let t304 = t302 && t303;
+        let t305 = self.poor;
+        let t306 = if t305 < 153 { t305 + 1 } else { 153 };
+        let t307 = if t287 { t306 } else { t305 };
+        let t308 = if t282 { 0 } else { t307 };
+        self.poor = t308;
+        let t310 = t308 < 153;
+        let t311 = t310 && t304;
+        let t312 = !t311;
+        let t313 = t282 || t312;
+        let t314 = t280 && t313;
+        let t315 = if t314 { t293 } else { t298 };
+        let t316 = if t314 { t289 } else { work.t027 };
+        let t317 = if t314 { t290 } else { work.t028 };
+        let t318 = t314 || t304;
+        let t319 = work.flags[0] && t318;
+        let t320 = usize::from(t319);
+        self.known = t320;
+        let t322 = 0.001 * t316;
+        let t324 = 5e-7 * t317;
+        let t325 = t315 + t322;
+        let t326 = t325 + t324;
+        let t327 = (-1e27..=1e27).contains(&t326);
+        let t328 = if t327 { t326 } else { 0.0 };
+        self.next_q = t328;
+        let t329 = 0.001 * t317;
+        let t330 = t316 + t329;
+        let t331 = (-1e27..=1e27).contains(&t330);
+        let t332 = if t331 { t330 } else { 0.0 };
+        self.next_dq = t332;
+        let t333 = (-1e27..=1e27).contains(&t317);
+        let t334 = if t333 { t317 } else { 0.0 };
+        self.next_ddq = t334;
 
         // the estimate; until there is one, the start
-        work.t265 = if t249 { t241 } else { work.t035 };
-        work.t266 = if t249 { t244 } else { 0.0 };
-        work.t267 = if t249 { t247 } else { 0.0 };
-        let t268 = self.coasting;
-        let t269 = t268 == 0;
-        let t270 = work.flags[1] && t269;
-        let t274 = if t270 { Status::Converged } else { Status::Coasting };
-        work.t275 = if t249 { t274 } else { Status::Converging };
+        work.t335 = if t319 { t315 } else { work.t035 };
+        work.t336 = if t319 { t316 } else { 0.0 };
+        work.t337 = if t319 { t317 } else { 0.0 };
+        let t338 = self.coasting;
+        let t339 = t338 == 0;
+        let t340 = t286 && t339;
+        let t344 = if t340 { Status::Converged } else { Status::Coasting };
+        work.t345 = if t319 { t344 } else { Status::Converging };
     }
 }
 const _: f32 = SAMPLE_TIME;

@@ -14,19 +14,20 @@
 //! Method     window: least squares over the samples that are there of the last 26 (0.05 s at 0.002 s)
 //! Converged  from call 26 (0.05 s after the first), whatever the initial state
 //!            a missing sample is left out: with fewer samples the gains are larger, without noise the estimate is as exact
-//!            where those that are there do not determine the state, the model's prediction stands in (COASTING)
+//!            CONVERGED while the bound with samples lost holds; beyond it COASTING: the estimate of the samples that are there,
+//!            or, where they do not determine the state or hardly do, the model's prediction, the latter for three windows at most
 //!
 //!                                  q         dq
 //!   unit                           rad       rad/s
 //!   noise gain from y, worst case  1.61      56.34
 //!   noise gain from y, white       0.3789    12.75
 //!   error bound from noise         0.001617  0.05721
-//!   on top: rounding in f32, of which there is no bound here
+//!   error bound with samples lost  0.003243  0.1141
 //!   on top: nonlinear terms are straight lines between samples, second order in the sample time
 //!
-//! Cost       458 multiplications, 488 additions, 3 divisions, 1 sin a call, the same for every call
-//! Memory     state 448 bytes, constants 200 bytes
-//!            at most: stack 2516 bytes, flash 8604 bytes without elementary functions
+//! Cost       469 multiplications, 518 additions, 6 divisions, 1 sin a call, the same for every call
+//! Memory     state 452 bytes, constants 200 bytes
+//!            at most: stack 2932 bytes, flash 10172 bytes without elementary functions
 //!
 //! Contract:
 //!  1. No heap, no recursion, no global or static mutable data, no file or console, no library.
@@ -98,6 +99,8 @@ pub struct Observer {
     next_dq: f32,
     /// whether that comes from an estimate
     known: usize,
+    /// calls with samples since these were worth more than a prediction
+    poor: usize,
     /// calls since a sample was accepted
     since: usize,
 }
@@ -148,7 +151,6 @@ struct Work {
     t095: usize,
     t097: f32,
     t107: usize,
-    t130: f32,
     t131: f32,
     t132: f32,
     t133: f32,
@@ -156,11 +158,15 @@ struct Work {
     t135: f32,
     t136: f32,
     t137: f32,
-    t240: f32,
-    t241: f32,
-    t249: Status,
-    /// t3, t19, t44, t113
-    flags: [bool; 4],
+    t138: f32,
+    t139: f32,
+    t251: f32,
+    t254: f32,
+    t292: f32,
+    t293: f32,
+    t301: Status,
+    /// t3, t19, t44, t113, t241, t243, t248, t249
+    flags: [bool; 8],
 }
 
 impl Work {
@@ -178,7 +184,6 @@ impl Work {
         t095: 0,
         t097: 0.0,
         t107: 0,
-        t130: 0.0,
         t131: 0.0,
         t132: 0.0,
         t133: 0.0,
@@ -186,10 +191,14 @@ impl Work {
         t135: 0.0,
         t136: 0.0,
         t137: 0.0,
-        t240: 0.0,
-        t241: 0.0,
-        t249: Status::Converging,
-        flags: [false; 4],
+        t138: 0.0,
+        t139: 0.0,
+        t251: 0.0,
+        t254: 0.0,
+        t292: 0.0,
+        t293: 0.0,
+        t301: Status::Converging,
+        flags: [false; 8],
     };
 }
 
@@ -209,6 +218,7 @@ impl Observer {
             next_q: 0.0,
             next_dq: 0.0,
             known: 0,
+            poor: 78,
             since: 0,
         }
     }
@@ -221,11 +231,12 @@ impl Observer {
         self.part_2(&mut work);
         self.part_3(&mut work);
         self.part_4(&mut work);
+        self.part_5(&mut work);
         Estimate {
-            q: work.t240,
-            dq: work.t241,
+            q: work.t292,
+            dq: work.t293,
             coasted: ::deadbeat::math::u32_from_index(work.t095),
-            status: work.t249,
+            status: work.t301,
         }
     }
 
@@ -246,7 +257,7 @@ impl Observer {
         let t016 = t008 * 3.019_916e-7;
         work.t017 = t014 - t016;
         let t018 = inputs.u;
-        work.flags[1] = (-1e28..=1e28).contains(&t018);
+        work.flags[1] = (-1e29..=1e29).contains(&t018);
         let t020 = self.u[work.t001.min(25)];
         work.t021 = if work.flags[1] { t018 } else { t020 };
     }
@@ -354,146 +365,194 @@ impl Observer {
         // rows of the window, oldest first; those without a sample count nothing
         let t114 = if work.t022 < 25 { work.t022 + 1 } else { 0 };
         let t117 = self.has_y[t114];
-        let t118 = t117 * 0.196_116_13;
-        let t119 = t117 * -0.329_479_75;
-        let t120 = t118 * t118;
-        let t121 = 0.0 + t120;
-        let t122 = t118 * t119;
-        let t123 = 0.0 + t122;
-        let t124 = t119 * t119;
-        let t125 = 0.0 + t124;
-        let t126 = t118 * 0.0;
-        let t127 = 0.0 + t126;
-        let t128 = t119 * 0.0;
-        let t129 = 0.0 + t128;
-        work.t130 = t121;
-        work.t131 = t123;
-        work.t132 = t125;
-        work.t133 = t127;
-        work.t134 = t129;
-        work.t135 = 0.0;
+        let t118 = 0.0 + t117;
+        let t119 = t117 * 0.196_116_13;
+        let t120 = t117 * -0.329_479_75;
+        let t121 = t119 * t119;
+        let t122 = 0.0 + t121;
+        let t123 = t119 * t120;
+        let t124 = 0.0 + t123;
+        let t125 = t120 * t120;
+        let t126 = 0.0 + t125;
+        let t127 = t119 * 0.0;
+        let t128 = 0.0 + t127;
+        let t129 = t120 * 0.0;
+        let t130 = 0.0 + t129;
+        work.t131 = t122;
+        work.t132 = t124;
+        work.t133 = t126;
+        work.t134 = t128;
+        work.t135 = t130;
         work.t136 = 0.0;
         work.t137 = 0.0;
-        let mut t138: usize = t114;
+        work.t138 = 0.0;
+        work.t139 = t118;
+        let mut t140: usize = t114;
         for gains in &ROWS {
-            let t139 = if t138 < 25 { t138 + 1 } else { 0 };
-            let t140 = self.sin_q[t138.min(25)];
-            let t141 = self.u[t139];
-            let t142 = self.sin_q[t139];
-            let t144 = 0.001_998_001_2 * work.t136;
-            let t145 = work.t135 + t144;
-            let t147 = -4.663_168_5e-5 * t140;
-            let t148 = 1.598_933_9e-5 * t141;
-            let t149 = -2.332_167e-5 * t142;
-            let t150 = t148 + t149;
-            let t151 = t145 + t147;
-            let t152 = t151 + t150;
-            let t154 = 0.998_002 * work.t136;
-            let t156 = -0.034_953_367 * t140;
-            let t157 = 0.015_984_01 * t141;
-            let t158 = -0.034_976_68 * t142;
-            let t159 = t157 + t158;
-            let t160 = t154 + t156;
-            let t161 = t160 + t159;
-            let t162 = self.y[t138.min(25)];
-            let t163 = self.y[t139];
-            let t164 = t163 - t162;
-            let t165 = t164 * 0.159_154_94;
-            let t166 = t165 + 1.258_291_2e7;
-            let t167 = t166 - 1.258_291_2e7;
-            let t168 = t167 * 6.283_185_5;
-            let t169 = t164 - t168;
-            let t170 = work.t137 + t169;
-            let t171 = gains[0];
-            let t172 = gains[1];
-            let t173 = self.has_y[t139];
-            let t174 = t170 - t152;
-            let t175 = t173 * t171;
-            let t176 = t173 * t172;
-            let t177 = t175 * t175;
-            let t178 = work.t130 + t177;
-            let t179 = t175 * t176;
-            let t180 = work.t131 + t179;
-            let t181 = t176 * t176;
-            let t182 = work.t132 + t181;
-            let t183 = t175 * t174;
-            let t184 = work.t133 + t183;
-            let t185 = t176 * t174;
-            let t186 = work.t134 + t185;
-            work.t130 = t178;
-            work.t131 = t180;
-            work.t132 = t182;
-            work.t133 = t184;
-            work.t134 = t186;
-            work.t135 = t152;
-            work.t136 = t161;
-            work.t137 = t170;
-            t138 = t139;
+            let t141 = if t140 < 25 { t140 + 1 } else { 0 };
+            let t142 = self.sin_q[t140.min(25)];
+            let t143 = self.u[t141];
+            let t144 = self.sin_q[t141];
+            let t146 = 0.001_998_001_2 * work.t137;
+            let t147 = work.t136 + t146;
+            let t149 = -4.663_168_5e-5 * t142;
+            let t150 = 1.598_933_9e-5 * t143;
+            let t151 = -2.332_167e-5 * t144;
+            let t152 = t150 + t151;
+            let t153 = t147 + t149;
+            let t154 = t153 + t152;
+            let t156 = 0.998_002 * work.t137;
+            let t158 = -0.034_953_367 * t142;
+            let t159 = 0.015_984_01 * t143;
+            let t160 = -0.034_976_68 * t144;
+            let t161 = t159 + t160;
+            let t162 = t156 + t158;
+            let t163 = t162 + t161;
+            let t164 = self.y[t140.min(25)];
+            let t165 = self.y[t141];
+            let t166 = t165 - t164;
+            let t167 = t166 * 0.159_154_94;
+            let t168 = t167 + 1.258_291_2e7;
+            let t169 = t168 - 1.258_291_2e7;
+            let t170 = t169 * 6.283_185_5;
+            let t171 = t166 - t170;
+            let t172 = work.t138 + t171;
+            let t173 = gains[0];
+            let t174 = gains[1];
+            let t175 = self.has_y[t141];
+            let t176 = work.t139 + t175;
+            let t177 = t172 - t154;
+            let t178 = t175 * t173;
+            let t179 = t175 * t174;
+            let t180 = t178 * t178;
+            let t181 = work.t131 + t180;
+            let t182 = t178 * t179;
+            let t183 = work.t132 + t182;
+            let t184 = t179 * t179;
+            let t185 = work.t133 + t184;
+            let t186 = t178 * t177;
+            let t187 = work.t134 + t186;
+            let t188 = t179 * t177;
+            let t189 = work.t135 + t188;
+            work.t131 = t181;
+            work.t132 = t183;
+            work.t133 = t185;
+            work.t134 = t187;
+            work.t135 = t189;
+            work.t136 = t154;
+            work.t137 = t163;
+            work.t138 = t172;
+            work.t139 = t176;
+            t140 = t141;
         }
     }
 
     /// Part 4 of a step.
-    fn part_4(&mut self, work: &mut Work) {
-        // the window's start from the samples that are there
-        let t188 = 0.015_625 < work.t130;
-        let t189 = if t188 { work.t130 } else { 1.0 };
-        let t190 = work.t131 / t189;
-        let t191 = t190 * work.t131;
-        let t192 = work.t132 - t191;
-        let t193 = t190 * work.t133;
-        let t194 = work.t134 - t193;
-        let t195 = 0.015_625 < t192;
-        let t196 = t188 && t195;
-        let t197 = if t195 { t192 } else { 1.0 };
-        let t198 = t194 / t197;
-        let t199 = work.t131 * t198;
-        let t200 = work.t133 - t199;
-        let t201 = t200 / t189;
-        let t202 = 0.196_116_13 * t201;
-        let t204 = 0.324_250_13 * t198;
-        let t205 = t202 + t204;
-        let t206 = t205 + work.t135;
-        let t208 = 12.750_456 * t198;
-        let t209 = t208 + work.t136;
-        let t210 = self.y[work.t022.min(25)];
-        let t211 = t210 - work.t137;
-        let t212 = t206 + t211;
+    fn part_4(&self, work: &mut Work) {
+        // the state from the samples that are there, and its variance
+        let t195 = 0.0001 * work.t131;
+        let t196 = t195 + 9.860_761_3e-32;
+        let t197 = 0.0001 * work.t133;
+        let t198 = t197 + 9.860_761_3e-32;
+        let t199 = t196 < work.t131;
+        let t200 = if t199 { work.t131 } else { 1.0 };
+        let t201 = work.t132 / t200;
+        let t202 = t201 * work.t132;
+        let t203 = work.t133 - t202;
+        let t204 = t201 * work.t134;
+        let t205 = work.t135 - t204;
+        let t206 = work.t134 / t200;
+        let t207 = t201 * 0.098_058_07;
+        let t208 = 0.162_125_07 - t207;
+        let t209 = 0.098_058_07 * t206;
+        let t210 = 0.098_058_07 / t200;
+        let t211 = 0.098_058_07 * t210;
+        let t212 = t198 < t203;
+        let t213 = t199 && t212;
+        let t214 = if t212 { t203 } else { 1.0 };
+        let t215 = t205 / t214;
+        let t216 = t208 * t215;
+        let t217 = t209 + t216;
+        let t218 = t208 / t214;
+        let t219 = t208 * t218;
+        let t220 = t211 + t219;
+        let t221 = 0.199_225_87 * t215;
+        let t222 = 0.199_225_87 / t214;
+        let t223 = 0.199_225_87 * t222;
+        let t225 = 2.0 * t217;
+        let t227 = 64.0 * t221;
 
+        // what it is worth
+        let t229 = t220 * 0.381_878_14;
+        let t230 = 0.0 < t229;
+        let t231 = if t230 { t229 } else { 0.0 };
+        let t233 = t223 * 0.319_255_17;
+        let t234 = t231 < t233;
+        let t235 = if t234 { t233 } else { t231 };
+        let t240 = t235 <= 877_401.3;
+        work.flags[4] = t213 && t240;
+        let t242 = t235 <= 0.877_401_3;
+        work.flags[5] = work.flags[4] && t242;
+        let t244 = 1.004_463_7 * work.t139;
+        let t245 = t244 + 0.116_573_2;
+        let t246 = t235 * t245;
+        let t247 = t246 <= 1.0;
+        work.flags[6] = work.flags[5] && t247;
+        work.flags[7] = 0.0 < work.t139;
+        let t250 = t225 + work.t136;
+        work.t251 = t227 + work.t137;
+        let t252 = self.y[work.t022.min(25)];
+        let t253 = t252 - work.t138;
+        work.t254 = t250 + t253;
+    }
+
+    /// Part 5 of a step.
+    fn part_5(&mut self, work: &mut Work) {
         // without enough samples, the model's prediction
-        let t214 = work.t082 * -6.283_185_5;
-        let t215 = work.t076 + t214;
-        let t216 = (-1e28..=1e28).contains(&t215);
-        let t217 = work.flags[2] && t216;
-        let t218 = if t196 { t212 } else { t215 };
-        let t219 = (-1e28..=1e28).contains(&work.t079);
-        let t220 = t217 && t219;
-        let t221 = if t196 { t209 } else { work.t079 };
-        let t222 = t196 || t220;
-        let t223 = work.flags[3] && t222;
-        let t224 = usize::from(t223);
-        self.known = t224;
-        let t226 = 0.001_998_001_2 * t221;
-        let t227 = t218 + t226;
-        let t229 = -4.663_168_5e-5 * work.t073;
-        let t230 = t227 + t229;
-        let t231 = (-1e28..=1e28).contains(&t230);
-        let t232 = if t231 { t230 } else { 0.0 };
-        self.next_q = t232;
-        let t234 = 0.998_002 * t221;
-        let t236 = -0.034_953_367 * work.t073;
-        let t237 = t234 + t236;
-        let t238 = (-1e28..=1e28).contains(&t237);
-        let t239 = if t238 { t237 } else { 0.0 };
-        self.next_dq = t239;
+        let t256 = work.t082 * -6.283_185_5;
+        let t257 = work.t076 + t256;
+        let t258 = (-1e29..=1e29).contains(&t257);
+        let t259 = work.flags[2] && t258;
+        let t260 = (-1e29..=1e29).contains(&work.t079);
+        let t261 = t259 && t260;
+        let t262 = self.poor;
+        let t263 = if t262 < 78 { t262 + 1 } else { 78 };
+        let t264 = if work.flags[7] { t263 } else { t262 };
+        let t265 = if work.flags[5] { 0 } else { t264 };
+        self.poor = t265;
+        let t267 = t265 < 78;
+        let t268 = t267 && t261;
+        let t269 = !t268;
+        let t270 = work.flags[5] || t269;
+        let t271 = work.flags[4] && t270;
+        let t272 = if t271 { work.t254 } else { t257 };
+        let t273 = if t271 { work.t251 } else { work.t079 };
+        let t274 = t271 || t261;
+        let t275 = work.flags[3] && t274;
+        let t276 = usize::from(t275);
+        self.known = t276;
+        let t278 = 0.001_998_001_2 * t273;
+        let t279 = t272 + t278;
+        let t281 = -4.663_168_5e-5 * work.t073;
+        let t282 = t279 + t281;
+        let t283 = (-1e29..=1e29).contains(&t282);
+        let t284 = if t283 { t282 } else { 0.0 };
+        self.next_q = t284;
+        let t286 = 0.998_002 * t273;
+        let t288 = -0.034_953_367 * work.t073;
+        let t289 = t286 + t288;
+        let t290 = (-1e29..=1e29).contains(&t289);
+        let t291 = if t290 { t289 } else { 0.0 };
+        self.next_dq = t291;
 
         // the estimate; until there is one, the start
-        work.t240 = if t223 { t218 } else { work.t092 };
-        work.t241 = if t223 { t221 } else { 0.0 };
-        let t242 = self.coasting;
-        let t243 = t242 == 0;
-        let t244 = t196 && t243;
-        let t248 = if t244 { Status::Converged } else { Status::Coasting };
-        work.t249 = if t223 { t248 } else { Status::Converging };
+        work.t292 = if t275 { t272 } else { work.t092 };
+        work.t293 = if t275 { t273 } else { 0.0 };
+        let t294 = self.coasting;
+        let t295 = t294 == 0;
+        let t296 = work.flags[6] && t295;
+        let t300 = if t296 { Status::Converged } else { Status::Coasting };
+        work.t301 = if t275 { t300 } else { Status::Converging };
     }
 }
 const _: f32 = SAMPLE_TIME;

@@ -12,7 +12,8 @@
 //! Method     window: least squares over the samples that are there of the last 131 (0.13 s at 0.001 s)
 //! Converged  from call 131 (0.13 s after the first), whatever the initial state
 //!            a missing sample is left out: with fewer samples the gains are larger, without noise the estimate is as exact
-//!            where those that are there do not determine the state, the model's prediction stands in (COASTING)
+//!            CONVERGED while the bound with samples lost holds; beyond it COASTING: the estimate of the samples that are there,
+//!            or, where they do not determine the state or hardly do, the model's prediction, the latter for three windows at most
 //!
 //!                                            q         dq        ddq
 //!   unit                                     rad       rad/s     rad/s^2
@@ -20,11 +21,11 @@
 //!   noise gain from y, white                 0.2582    9.177     136.6
 //!   gain from jerk, worst case               1.789e-5  0.001684  0.065
 //!   error bound from noise and disturbances  0.001322  0.102     3.519
-//!   on top: rounding in f32, of which there is no bound here
+//!   error bound with samples lost            0.004076  0.2026    5.02
 //!
-//! Cost       1981 multiplications, 1849 additions, 6 divisions a call, the same for every call
-//! Memory     state 1080 bytes, constants 1560 bytes
-//!            at most: stack 1796 bytes, flash 8244 bytes without elementary functions
+//! Cost       1999 multiplications, 1988 additions, 12 divisions a call, the same for every call
+//! Memory     state 1084 bytes, constants 1560 bytes
+//!            at most: stack 2364 bytes, flash 10352 bytes without elementary functions
 //!
 //! Contract:
 //!  1. No heap, no recursion, no global or static mutable data, no file or console, no library.
@@ -87,6 +88,8 @@ pub struct Observer {
     next_ddq: f32,
     /// whether that comes from an estimate
     known: usize,
+    /// calls with samples since these were worth more than a prediction
+    poor: usize,
     /// calls since a sample was accepted
     since: usize,
 }
@@ -237,6 +240,16 @@ struct Work {
     t007: f32,
     t010: f32,
     t014: usize,
+    t024: usize,
+    t029: f32,
+    t036: f32,
+    t038: f32,
+    t040: f32,
+    t042: f32,
+    t044: f32,
+    t046: f32,
+    t048: f32,
+    t050: f32,
     t052: f32,
     t053: f32,
     t054: f32,
@@ -249,15 +262,20 @@ struct Work {
     t061: f32,
     t062: f32,
     t063: f32,
-    t157: f32,
-    t160: f32,
-    t163: f32,
-    t181: f32,
+    t064: f32,
+    t065: f32,
+    t170: f32,
+    t175: f32,
+    t178: f32,
+    t180: f32,
     t182: f32,
-    t183: f32,
-    t191: Status,
-    /// t23, t126, t165
-    flags: [bool; 3],
+    t184: f32,
+    t252: f32,
+    t253: f32,
+    t254: f32,
+    t262: Status,
+    /// t23, t163
+    flags: [bool; 2],
 }
 
 impl Work {
@@ -269,6 +287,16 @@ impl Work {
         t007: 0.0,
         t010: 0.0,
         t014: 0,
+        t024: 0,
+        t029: 0.0,
+        t036: 0.0,
+        t038: 0.0,
+        t040: 0.0,
+        t042: 0.0,
+        t044: 0.0,
+        t046: 0.0,
+        t048: 0.0,
+        t050: 0.0,
         t052: 0.0,
         t053: 0.0,
         t054: 0.0,
@@ -281,14 +309,19 @@ impl Work {
         t061: 0.0,
         t062: 0.0,
         t063: 0.0,
-        t157: 0.0,
-        t160: 0.0,
-        t163: 0.0,
-        t181: 0.0,
+        t064: 0.0,
+        t065: 0.0,
+        t170: 0.0,
+        t175: 0.0,
+        t178: 0.0,
+        t180: 0.0,
         t182: 0.0,
-        t183: 0.0,
-        t191: Status::Converging,
-        flags: [false; 3],
+        t184: 0.0,
+        t252: 0.0,
+        t253: 0.0,
+        t254: 0.0,
+        t262: Status::Converging,
+        flags: [false; 2],
     };
 }
 
@@ -306,6 +339,7 @@ impl Observer {
             next_dq: 0.0,
             next_ddq: 0.0,
             known: 0,
+            poor: 393,
             since: 0,
         }
     }
@@ -316,13 +350,14 @@ impl Observer {
         self.part_1(measurements, &mut work);
         self.part_2(&mut work);
         self.part_3(&mut work);
-        self.part_4(&mut work);
+        Self::part_4(&mut work);
+        self.part_5(&mut work);
         Estimate {
-            q: work.t181,
-            dq: work.t182,
-            ddq: work.t183,
+            q: work.t252,
+            dq: work.t253,
+            ddq: work.t254,
             coasted: ::deadbeat::math::u32_from_index(work.t014),
-            status: work.t191,
+            status: work.t262,
         }
     }
 
@@ -332,7 +367,7 @@ impl Observer {
         let t000 = self.newest;
         let t001 = t000.min(130);
         let t002 = measurements.y;
-        let t003 = (-1e26..=1e26).contains(&t002);
+        let t003 = (-1e29..=1e29).contains(&t002);
         work.t004 = if t001 < 130 { t001 + 1 } else { 0 };
         work.t005 = self.next_q;
         work.t006 = self.next_dq;
@@ -363,190 +398,255 @@ impl Observer {
     /// Part 2 of a step.
     fn part_2(&self, work: &mut Work) {
         // rows of the window, oldest first; those without a sample count nothing
-        let t024 = if work.t004 < 130 { work.t004 + 1 } else { 0 };
-        let t028 = self.has_y[t024];
-        let t029 = self.y[t024];
-        let t030 = t029 - 0.0;
-        let t031 = t028 * 0.087_370_4;
-        let t032 = t028 * -0.150_179_16;
-        let t033 = t028 * 0.190_942_72;
-        let t034 = t031 * t031;
-        let t035 = 0.0 + t034;
-        let t036 = t031 * t032;
-        let t037 = 0.0 + t036;
-        let t038 = t031 * t033;
-        let t039 = 0.0 + t038;
-        let t040 = t032 * t032;
-        let t041 = 0.0 + t040;
-        let t042 = t032 * t033;
-        let t043 = 0.0 + t042;
-        let t044 = t033 * t033;
-        let t045 = 0.0 + t044;
-        let t046 = t031 * t030;
-        let t047 = 0.0 + t046;
-        let t048 = t032 * t030;
-        let t049 = 0.0 + t048;
-        let t050 = t033 * t030;
-        let t051 = 0.0 + t050;
-        work.t052 = t035;
-        work.t053 = t037;
-        work.t054 = t039;
-        work.t055 = t041;
-        work.t056 = t043;
-        work.t057 = t045;
-        work.t058 = t047;
-        work.t059 = t049;
-        work.t060 = t051;
-        work.t061 = 0.0;
-        work.t062 = 0.0;
-        work.t063 = 0.0;
-        let mut t064: usize = t024;
-        for gains in &ROWS {
-            let t065 = if t064 < 130 { t064 + 1 } else { 0 };
-            let t067 = 0.001 * work.t062;
-            let t069 = 5e-7 * work.t063;
-            let t070 = work.t061 + t067;
-            let t071 = t070 + t069;
-            let t072 = 0.001 * work.t063;
-            let t073 = work.t062 + t072;
-            let t074 = gains[0];
-            let t075 = gains[1];
-            let t076 = gains[2];
-            let t077 = self.has_y[t065];
-            let t078 = self.y[t065];
-            let t079 = t078 - t071;
-            let t080 = t077 * t074;
-            let t081 = t077 * t075;
-            let t082 = t077 * t076;
-            let t083 = t080 * t080;
-            let t084 = work.t052 + t083;
-            let t085 = t080 * t081;
-            let t086 = work.t053 + t085;
-            let t087 = t080 * t082;
-            let t088 = work.t054 + t087;
-            let t089 = t081 * t081;
-            let t090 = work.t055 + t089;
-            let t091 = t081 * t082;
-            let t092 = work.t056 + t091;
-            let t093 = t082 * t082;
-            let t094 = work.t057 + t093;
-            let t095 = t080 * t079;
-            let t096 = work.t058 + t095;
-            let t097 = t081 * t079;
-            let t098 = work.t059 + t097;
-            let t099 = t082 * t079;
-            let t100 = work.t060 + t099;
-            let t101 = work.t063 - 0.0;
-            work.t052 = t084;
-            work.t053 = t086;
-            work.t054 = t088;
-            work.t055 = t090;
-            work.t056 = t092;
-            work.t057 = t094;
-            work.t058 = t096;
-            work.t059 = t098;
-            work.t060 = t100;
-            work.t061 = t071;
-            work.t062 = t073;
-            work.t063 = t101;
-            t064 = t065;
-        }
+        work.t024 = if work.t004 < 130 { work.t004 + 1 } else { 0 };
+        let t028 = self.has_y[work.t024.min(130)];
+        work.t029 = 0.0 + t028;
+        let t030 = self.y[work.t024.min(130)];
+        let t031 = t030 - 0.0;
+        let t032 = t028 * 0.087_370_4;
+        let t033 = t028 * -0.150_179_16;
+        let t034 = t028 * 0.190_942_72;
+        let t035 = t032 * t032;
+        work.t036 = 0.0 + t035;
+        let t037 = t032 * t033;
+        work.t038 = 0.0 + t037;
+        let t039 = t032 * t034;
+        work.t040 = 0.0 + t039;
+        let t041 = t033 * t033;
+        work.t042 = 0.0 + t041;
+        let t043 = t033 * t034;
+        work.t044 = 0.0 + t043;
+        let t045 = t034 * t034;
+        work.t046 = 0.0 + t045;
+        let t047 = t032 * t031;
+        work.t048 = 0.0 + t047;
+        let t049 = t033 * t031;
+        work.t050 = 0.0 + t049;
+        let t051 = t034 * t031;
+        work.t052 = 0.0 + t051;
     }
 
     /// Part 3 of a step.
-    fn part_3(&mut self, work: &mut Work) {
-        // the window's start from the samples that are there
-        let t103 = 0.015_625 < work.t052;
-        let t104 = if t103 { work.t052 } else { 1.0 };
-        let t105 = work.t053 / t104;
-        let t106 = t105 * work.t053;
-        let t107 = work.t055 - t106;
-        let t108 = t105 * work.t054;
-        let t109 = work.t056 - t108;
-        let t110 = t105 * work.t058;
-        let t111 = work.t059 - t110;
-        let t112 = work.t054 / t104;
-        let t113 = t112 * work.t054;
-        let t114 = work.t057 - t113;
-        let t115 = t112 * work.t058;
-        let t116 = work.t060 - t115;
-        let t117 = 0.015_625 < t107;
-        let t118 = t103 && t117;
-        let t119 = if t117 { t107 } else { 1.0 };
-        let t120 = t109 / t119;
-        let t121 = t120 * t109;
-        let t122 = t114 - t121;
-        let t123 = t120 * t111;
-        let t124 = t116 - t123;
-        let t125 = 0.015_625 < t122;
-        work.flags[1] = t118 && t125;
-        let t127 = if t125 { t122 } else { 1.0 };
-        let t128 = t124 / t127;
-        let t129 = t109 * t128;
-        let t130 = t111 - t129;
-        let t131 = t130 / t119;
-        let t132 = work.t053 * t131;
-        let t133 = work.t058 - t132;
-        let t134 = work.t054 * t128;
-        let t135 = t133 - t134;
-        let t136 = t135 / t104;
-        let t137 = 0.087_370_4 * t136;
-        let t139 = 0.150_179_16 * t131;
-        let t140 = 0.190_942_72 * t128;
-        let t141 = t137 + t139;
-        let t142 = t141 + t140;
-        let t143 = t142 + work.t061;
-        let t145 = 2.310_448_6 * t131;
-        let t147 = 8.881_057 * t128;
-        let t148 = t145 + t147;
-        let t149 = t148 + work.t062;
-        let t151 = 136.63164 * t128;
-        let t152 = t151 + work.t063;
-
-        // without enough samples, the model's prediction
-        let t153 = self.known;
-        let t154 = t153 == 1;
-        let t155 = (-1e26..=1e26).contains(&work.t005);
-        let t156 = t154 && t155;
-        work.t157 = if work.flags[1] { t143 } else { work.t005 };
-        let t158 = (-1e26..=1e26).contains(&work.t006);
-        let t159 = t156 && t158;
-        work.t160 = if work.flags[1] { t149 } else { work.t006 };
-        let t161 = (-1e26..=1e26).contains(&work.t007);
-        let t162 = t159 && t161;
-        work.t163 = if work.flags[1] { t152 } else { work.t007 };
-        let t164 = work.flags[1] || t162;
-        work.flags[2] = work.flags[0] && t164;
-        let t166 = usize::from(work.flags[2]);
-        self.known = t166;
-        let t168 = 0.001 * work.t160;
-        let t170 = 5e-7 * work.t163;
-        let t171 = work.t157 + t168;
-        let t172 = t171 + t170;
-        let t173 = (-1e26..=1e26).contains(&t172);
-        let t174 = if t173 { t172 } else { 0.0 };
-        self.next_q = t174;
-        let t175 = 0.001 * work.t163;
-        let t176 = work.t160 + t175;
-        let t177 = (-1e26..=1e26).contains(&t176);
-        let t178 = if t177 { t176 } else { 0.0 };
-        self.next_dq = t178;
-        let t179 = (-1e26..=1e26).contains(&work.t163);
-        let t180 = if t179 { work.t163 } else { 0.0 };
-        self.next_ddq = t180;
+    fn part_3(&self, work: &mut Work) {
+        work.t053 = work.t036;
+        work.t054 = work.t038;
+        work.t055 = work.t040;
+        work.t056 = work.t042;
+        work.t057 = work.t044;
+        work.t058 = work.t046;
+        work.t059 = work.t048;
+        work.t060 = work.t050;
+        work.t061 = work.t052;
+        work.t062 = 0.0;
+        work.t063 = 0.0;
+        work.t064 = 0.0;
+        work.t065 = work.t029;
+        let mut t066: usize = work.t024;
+        for gains in &ROWS {
+            let t067 = if t066 < 130 { t066 + 1 } else { 0 };
+            let t069 = 0.001 * work.t063;
+            let t071 = 5e-7 * work.t064;
+            let t072 = work.t062 + t069;
+            let t073 = t072 + t071;
+            let t074 = 0.001 * work.t064;
+            let t075 = work.t063 + t074;
+            let t076 = gains[0];
+            let t077 = gains[1];
+            let t078 = gains[2];
+            let t079 = self.has_y[t067];
+            let t080 = work.t065 + t079;
+            let t081 = self.y[t067];
+            let t082 = t081 - t073;
+            let t083 = t079 * t076;
+            let t084 = t079 * t077;
+            let t085 = t079 * t078;
+            let t086 = t083 * t083;
+            let t087 = work.t053 + t086;
+            let t088 = t083 * t084;
+            let t089 = work.t054 + t088;
+            let t090 = t083 * t085;
+            let t091 = work.t055 + t090;
+            let t092 = t084 * t084;
+            let t093 = work.t056 + t092;
+            let t094 = t084 * t085;
+            let t095 = work.t057 + t094;
+            let t096 = t085 * t085;
+            let t097 = work.t058 + t096;
+            let t098 = t083 * t082;
+            let t099 = work.t059 + t098;
+            let t100 = t084 * t082;
+            let t101 = work.t060 + t100;
+            let t102 = t085 * t082;
+            let t103 = work.t061 + t102;
+            let t104 = work.t064 - 0.0;
+            work.t053 = t087;
+            work.t054 = t089;
+            work.t055 = t091;
+            work.t056 = t093;
+            work.t057 = t095;
+            work.t058 = t097;
+            work.t059 = t099;
+            work.t060 = t101;
+            work.t061 = t103;
+            work.t062 = t073;
+            work.t063 = t075;
+            work.t064 = t104;
+            work.t065 = t080;
+            t066 = t067;
+        }
     }
 
     /// Part 4 of a step.
-    fn part_4(&self, work: &mut Work) {
+    fn part_4(work: &mut Work) {
+        // the state from the samples that are there, and its variance
+        let t113 = 0.0001 * work.t053;
+        let t114 = t113 + 9.860_761_3e-32;
+        let t115 = 0.0001 * work.t056;
+        let t116 = t115 + 9.860_761_3e-32;
+        let t117 = 0.0001 * work.t058;
+        let t118 = t117 + 9.860_761_3e-32;
+        let t119 = t114 < work.t053;
+        let t120 = if t119 { work.t053 } else { 1.0 };
+        let t121 = work.t054 / t120;
+        let t122 = work.t055 / t120;
+        let t123 = t121 * work.t054;
+        let t124 = work.t056 - t123;
+        let t125 = t121 * work.t055;
+        let t126 = work.t057 - t125;
+        let t127 = t121 * work.t059;
+        let t128 = work.t060 - t127;
+        let t129 = t122 * work.t055;
+        let t130 = work.t058 - t129;
+        let t131 = t122 * work.t059;
+        let t132 = work.t061 - t131;
+        let t133 = work.t059 / t120;
+        let t134 = t121 * 0.010_921_3;
+        let t135 = 0.018_772_395 - t134;
+        let t136 = t122 * 0.010_921_3;
+        let t137 = 0.023_867_84 - t136;
+        let t138 = 0.010_921_3 * t133;
+        let t139 = 0.010_921_3 / t120;
+        let t140 = 0.010_921_3 * t139;
+        let t141 = t116 < t124;
+        let t142 = t119 && t141;
+        let t143 = if t141 { t124 } else { 1.0 };
+        let t144 = t126 / t143;
+        let t145 = t144 * t126;
+        let t146 = t130 - t145;
+        let t147 = t144 * t128;
+        let t148 = t132 - t147;
+        let t149 = t128 / t143;
+        let t150 = t144 * t135;
+        let t151 = t137 - t150;
+        let t152 = t135 * t149;
+        let t153 = t138 + t152;
+        let t154 = t135 / t143;
+        let t155 = t135 * t154;
+        let t156 = t140 + t155;
+        let t157 = t144 * 0.004_512_595;
+        let t158 = 0.017_345_814 - t157;
+        let t159 = 0.004_512_595 * t149;
+        let t160 = 0.004_512_595 / t143;
+        let t161 = 0.004_512_595 * t160;
+        let t162 = t118 < t146;
+        work.flags[1] = t142 && t162;
+        let t164 = if t162 { t146 } else { 1.0 };
+        let t165 = t148 / t164;
+        let t166 = t151 * t165;
+        let t167 = t153 + t166;
+        let t168 = t151 / t164;
+        let t169 = t151 * t168;
+        work.t170 = t156 + t169;
+        let t171 = t158 * t165;
+        let t172 = t159 + t171;
+        let t173 = t158 / t164;
+        let t174 = t158 * t173;
+        work.t175 = t161 + t174;
+        let t176 = 0.016_678_667 * t165;
+        let t177 = 0.016_678_667 / t164;
+        work.t178 = 0.016_678_667 * t177;
+        work.t180 = 8.0 * t167;
+        work.t182 = 512.0 * t172;
+        work.t184 = 8192.0 * t176;
+    }
+
+    /// Part 5 of a step.
+    fn part_5(&mut self, work: &mut Work) {
+        // what it is worth
+        let t186 = work.t170 * 0.252_974_15;
+        let t187 = 0.0 < t186;
+        let t188 = if t187 { t186 } else { 0.0 };
+        let t190 = work.t175 * 0.747_766_1;
+        let t191 = t188 < t190;
+        let t192 = if t191 { t190 } else { t188 };
+        let t194 = work.t178 * 0.857_012_75;
+        let t195 = t192 < t194;
+        let t196 = if t195 { t194 } else { t192 };
+        let t201 = t196 <= 16859.84;
+        let t202 = work.flags[1] && t201;
+        let t203 = t196 <= 0.016_859_839;
+        let t204 = t202 && t203;
+        let t205 = 2.968_604_3 * work.t065;
+        let t206 = t205 + 765.5649;
+        let t207 = t196 * t206;
+        let t208 = t207 <= 1.0;
+        let t209 = t204 && t208;
+        let t210 = 0.0 < work.t065;
+        let t211 = work.t180 + work.t062;
+        let t212 = work.t182 + work.t063;
+        let t213 = work.t184 + work.t064;
+
+        // without enough samples, the model's prediction
+        let t214 = self.known;
+        let t215 = t214 == 1;
+        let t216 = (-1e29..=1e29).contains(&work.t005);
+        let t217 = t215 && t216;
+        let t218 = (-1e29..=1e29).contains(&work.t006);
+        let t219 = t217 && t218;
+        let t220 = (-1e29..=1e29).contains(&work.t007);
+        let t221 = t219 && t220;
+        let t222 = self.poor;
+        let t223 = if t222 < 393 { t222 + 1 } else { 393 };
+        let t224 = if t210 { t223 } else { t222 };
+        let t225 = if t204 { 0 } else { t224 };
+        self.poor = t225;
+        let t227 = t225 < 393;
+        let t228 = t227 && t221;
+        let t229 = !t228;
+        let t230 = t204 || t229;
+        let t231 = t202 && t230;
+        let t232 = if t231 { t211 } else { work.t005 };
+        let t233 = if t231 { t212 } else { work.t006 };
+        let t234 = if t231 { t213 } else { work.t007 };
+        let t235 = t231 || t221;
+        let t236 = work.flags[0] && t235;
+        let t237 = usize::from(t236);
+        self.known = t237;
+        let t239 = 0.001 * t233;
+        let t241 = 5e-7 * t234;
+        let t242 = t232 + t239;
+        let t243 = t242 + t241;
+        let t244 = (-1e29..=1e29).contains(&t243);
+        let t245 = if t244 { t243 } else { 0.0 };
+        self.next_q = t245;
+        let t246 = 0.001 * t234;
+        let t247 = t233 + t246;
+        let t248 = (-1e29..=1e29).contains(&t247);
+        let t249 = if t248 { t247 } else { 0.0 };
+        self.next_dq = t249;
+        let t250 = (-1e29..=1e29).contains(&t234);
+        let t251 = if t250 { t234 } else { 0.0 };
+        self.next_ddq = t251;
+
         // the estimate; until there is one, the start
-        work.t181 = if work.flags[2] { work.t157 } else { work.t010 };
-        work.t182 = if work.flags[2] { work.t160 } else { 0.0 };
-        work.t183 = if work.flags[2] { work.t163 } else { 0.0 };
-        let t184 = self.coasting;
-        let t185 = t184 == 0;
-        let t186 = work.flags[1] && t185;
-        let t190 = if t186 { Status::Converged } else { Status::Coasting };
-        work.t191 = if work.flags[2] { t190 } else { Status::Converging };
+        work.t252 = if t236 { t232 } else { work.t010 };
+        work.t253 = if t236 { t233 } else { 0.0 };
+        work.t254 = if t236 { t234 } else { 0.0 };
+        let t255 = self.coasting;
+        let t256 = t255 == 0;
+        let t257 = t209 && t256;
+        let t261 = if t257 { Status::Converged } else { Status::Coasting };
+        work.t262 = if t236 { t261 } else { Status::Converging };
     }
 }
 const _: f32 = SAMPLE_TIME;

@@ -13,7 +13,8 @@
 //! Method     window: least squares over the samples that are there of the last 41 (0.4 s at 0.01 s)
 //! Converged  from call 41 (0.4 s after the first), whatever the initial state
 //!            a missing sample is left out: with fewer samples the gains are larger, without noise the estimate is as exact
-//!            where those that are there do not determine the state, the model's prediction stands in (COASTING)
+//!            CONVERGED while the bound with samples lost holds; beyond it COASTING: the estimate of the samples that are there,
+//!            or, where they do not determine the state or hardly do, the model's prediction, the latter for three windows at most
 //!
 //!                                       position  speed    slope   wheel
 //!   unit                                m         m/s      m/s^2   m/s
@@ -22,12 +23,14 @@
 //!   noise gain from wheel, worst case   0.1999    1.858    9.233   1.61
 //!   noise gain from wheel, white        0.03994   0.348    1.647   0.3053
 //!   error bound from noise              0.00954   0.06723  0.3821  0.05415
-//!   on top: rounding in f32, of which there is no bound here
+//!   error bound with samples lost       0.02774   0.1682   0.868   0.1426
+//!   without camera the state is not determined
+//!   without wheel the state is not determined
 //!   on top: nonlinear terms are straight lines between samples, second order in the sample time
 //!
-//! Cost       2239 multiplications, 1880 additions, 10 divisions, 1 tanh a call, the same for every call
-//! Memory     state 1032 bytes, constants 1280 bytes
-//!            at most: stack 4308 bytes, flash 16652 bytes without elementary functions
+//! Cost       2272 multiplications, 1982 additions, 22 divisions, 1 tanh a call, the same for every call
+//! Memory     state 1036 bytes, constants 1280 bytes
+//!            at most: stack 5164 bytes, flash 19808 bytes without elementary functions
 //!
 //! Contract:
 //!  1. No heap, no recursion, no global or static mutable data, no file or console, no library.
@@ -117,6 +120,8 @@ pub struct Observer {
     known: usize,
     /// slot of the time that the newest sample shows
     slot_camera: usize,
+    /// calls with samples since these were worth more than a prediction
+    poor: usize,
     /// calls since a sample was accepted
     since: usize,
 }
@@ -299,21 +304,20 @@ struct Work {
     t085: f32,
     t086: usize,
     t098: usize,
-    t149: f32,
-    t150: f32,
+    t143: f32,
     t151: f32,
+    t152: f32,
     t153: f32,
-    t154: f32,
     t155: f32,
     t156: f32,
     t157: f32,
     t158: f32,
+    t159: f32,
     t160: f32,
     t162: f32,
-    t163: f32,
     t164: f32,
+    t165: f32,
     t166: f32,
-    t167: f32,
     t168: f32,
     t169: f32,
     t170: f32,
@@ -331,12 +335,14 @@ struct Work {
     t182: f32,
     t183: f32,
     t184: f32,
-    t185: usize,
-    t186: usize,
-    t202: f32,
-    t213: f32,
-    t228: f32,
-    t250: f32,
+    t185: f32,
+    t186: f32,
+    t187: f32,
+    t188: usize,
+    t189: usize,
+    t205: f32,
+    t216: f32,
+    t231: f32,
     t252: f32,
     t254: f32,
     t256: f32,
@@ -348,37 +354,59 @@ struct Work {
     t268: f32,
     t270: f32,
     t272: f32,
+    t274: f32,
     t276: f32,
-    t277: f32,
     t278: f32,
-    t279: f32,
-    t280: f32,
+    t281: f32,
     t282: f32,
+    t283: f32,
     t284: f32,
-    t286: f32,
-    t288: f32,
-    t290: f32,
-    t292: f32,
-    t294: f32,
-    t296: f32,
-    t298: f32,
-    t300: f32,
-    t302: f32,
-    t304: f32,
-    t306: f32,
-    t308: f32,
+    t285: f32,
+    t287: f32,
+    t289: f32,
+    t291: f32,
+    t293: f32,
+    t295: f32,
+    t297: f32,
+    t299: f32,
+    t301: f32,
+    t303: f32,
+    t305: f32,
+    t307: f32,
     t309: f32,
+    t311: f32,
+    t313: f32,
+    t314: f32,
+    t336: f32,
     t387: f32,
+    t389: f32,
+    t391: f32,
+    t394: f32,
     t396: f32,
-    t402: f32,
+    t398: f32,
+    t399: f32,
+    t401: f32,
+    t403: f32,
+    t405: f32,
+    t406: f32,
+    t408: f32,
     t411: f32,
-    t462: f32,
-    t463: f32,
-    t464: f32,
-    t465: f32,
-    t473: Status,
-    /// t5, t7, t37, t82, t97, t358
-    flags: [bool; 6],
+    t412: f32,
+    t414: f32,
+    t416: f32,
+    t417: f32,
+    t418: f32,
+    t505: f32,
+    t506: f32,
+    t507: f32,
+    t508: f32,
+    t569: f32,
+    t570: f32,
+    t571: f32,
+    t572: f32,
+    t580: Status,
+    /// t5, t7, t37, t82, t97, t410, t496, t498, t503, t504
+    flags: [bool; 10],
 }
 
 impl Work {
@@ -399,21 +427,20 @@ impl Work {
         t085: 0.0,
         t086: 0,
         t098: 0,
-        t149: 0.0,
-        t150: 0.0,
+        t143: 0.0,
         t151: 0.0,
+        t152: 0.0,
         t153: 0.0,
-        t154: 0.0,
         t155: 0.0,
         t156: 0.0,
         t157: 0.0,
         t158: 0.0,
+        t159: 0.0,
         t160: 0.0,
         t162: 0.0,
-        t163: 0.0,
         t164: 0.0,
+        t165: 0.0,
         t166: 0.0,
-        t167: 0.0,
         t168: 0.0,
         t169: 0.0,
         t170: 0.0,
@@ -431,12 +458,14 @@ impl Work {
         t182: 0.0,
         t183: 0.0,
         t184: 0.0,
-        t185: 0,
-        t186: 0,
-        t202: 0.0,
-        t213: 0.0,
-        t228: 0.0,
-        t250: 0.0,
+        t185: 0.0,
+        t186: 0.0,
+        t187: 0.0,
+        t188: 0,
+        t189: 0,
+        t205: 0.0,
+        t216: 0.0,
+        t231: 0.0,
         t252: 0.0,
         t254: 0.0,
         t256: 0.0,
@@ -448,36 +477,58 @@ impl Work {
         t268: 0.0,
         t270: 0.0,
         t272: 0.0,
+        t274: 0.0,
         t276: 0.0,
-        t277: 0.0,
         t278: 0.0,
-        t279: 0.0,
-        t280: 0.0,
+        t281: 0.0,
         t282: 0.0,
+        t283: 0.0,
         t284: 0.0,
-        t286: 0.0,
-        t288: 0.0,
-        t290: 0.0,
-        t292: 0.0,
-        t294: 0.0,
-        t296: 0.0,
-        t298: 0.0,
-        t300: 0.0,
-        t302: 0.0,
-        t304: 0.0,
-        t306: 0.0,
-        t308: 0.0,
+        t285: 0.0,
+        t287: 0.0,
+        t289: 0.0,
+        t291: 0.0,
+        t293: 0.0,
+        t295: 0.0,
+        t297: 0.0,
+        t299: 0.0,
+        t301: 0.0,
+        t303: 0.0,
+        t305: 0.0,
+        t307: 0.0,
         t309: 0.0,
+        t311: 0.0,
+        t313: 0.0,
+        t314: 0.0,
+        t336: 0.0,
         t387: 0.0,
+        t389: 0.0,
+        t391: 0.0,
+        t394: 0.0,
         t396: 0.0,
-        t402: 0.0,
+        t398: 0.0,
+        t399: 0.0,
+        t401: 0.0,
+        t403: 0.0,
+        t405: 0.0,
+        t406: 0.0,
+        t408: 0.0,
         t411: 0.0,
-        t462: 0.0,
-        t463: 0.0,
-        t464: 0.0,
-        t465: 0.0,
-        t473: Status::Converging,
-        flags: [false; 6],
+        t412: 0.0,
+        t414: 0.0,
+        t416: 0.0,
+        t417: 0.0,
+        t418: 0.0,
+        t505: 0.0,
+        t506: 0.0,
+        t507: 0.0,
+        t508: 0.0,
+        t569: 0.0,
+        t570: 0.0,
+        t571: 0.0,
+        t572: 0.0,
+        t580: Status::Converging,
+        flags: [false; 10],
     };
 }
 
@@ -503,6 +554,7 @@ impl Observer {
             next_wheel: 0.0,
             known: 0,
             slot_camera: 36,
+            poor: 123,
             since: 0,
         }
     }
@@ -516,14 +568,15 @@ impl Observer {
         self.part_3(&mut work);
         self.part_6(&mut work);
         Self::part_7(&mut work);
-        self.part_8(&mut work);
+        Self::part_8(&mut work);
+        self.part_9(&mut work);
         Estimate {
-            position: work.t462,
-            speed: work.t463,
-            slope: work.t464,
-            wheel: work.t465,
+            position: work.t569,
+            speed: work.t570,
+            slope: work.t571,
+            wheel: work.t572,
             coasted: ::deadbeat::math::u32_from_index(work.t066),
-            status: work.t473,
+            status: work.t580,
         }
     }
 
@@ -533,11 +586,11 @@ impl Observer {
         let t000 = self.newest;
         let t001 = t000.min(40);
         let t002 = measurements.camera;
-        let t003 = (-1e25..=1e25).contains(&t002);
+        let t003 = (-1e31..=1e31).contains(&t002);
         let t004 = measurements.wheel;
         work.flags[0] = (-20.0..=20.0).contains(&t004);
         let t006 = inputs.force;
-        work.flags[1] = (-1e25..=1e25).contains(&t006);
+        work.flags[1] = (-1e31..=1e31).contains(&t006);
         let t008 = self.force[t001];
         work.t009 = if work.flags[1] { t006 } else { t008 };
 
@@ -645,391 +698,493 @@ impl Observer {
         // rows of the window, oldest first; those without a sample count nothing
         work.t098 = if work.t010 < 40 { work.t010 + 1 } else { 0 };
         let t104 = self.has_camera[work.t098.min(40)];
-        let t105 = self.camera[work.t098.min(40)];
-        let t106 = t105 - 0.0;
-        let t108 = 200.0 * t106;
-        let t109 = t104 * 0.164_398_98;
-        let t110 = t104 * -0.116_738_87;
-        let t111 = t104 * 0.073_948_87;
-        let t112 = t104 * 0.045_657_706;
-        let t113 = t109 * t109;
-        let t114 = 0.0 + t113;
-        let t115 = t109 * t110;
-        let t116 = 0.0 + t115;
-        let t117 = t109 * t111;
-        let t118 = 0.0 + t117;
-        let t119 = t109 * t112;
-        let t120 = 0.0 + t119;
-        let t121 = t110 * t110;
-        let t122 = 0.0 + t121;
-        let t123 = t110 * t111;
-        let t124 = 0.0 + t123;
-        let t125 = t110 * t112;
-        let t126 = 0.0 + t125;
-        let t127 = t111 * t111;
-        let t128 = 0.0 + t127;
-        let t129 = t111 * t112;
-        let t130 = 0.0 + t129;
-        let t131 = t112 * t112;
-        let t132 = 0.0 + t131;
-        let t133 = t109 * t108;
-        let t134 = 0.0 + t133;
-        let t135 = t110 * t108;
-        let t136 = 0.0 + t135;
-        let t137 = t111 * t108;
-        let t138 = 0.0 + t137;
-        let t139 = t112 * t108;
-        let t140 = 0.0 + t139;
-        let t141 = self.has_wheel[work.t098.min(40)];
-        let t142 = self.wheel[work.t098.min(40)];
-        let t143 = t142 - 0.0;
-        let t145 = 50.0 * t143;
-        let t146 = t141 * 0.0;
-        let t147 = t141 * 0.713_766_75;
-        let t148 = t146 * t146;
-        work.t149 = t114 + t148;
-        work.t150 = t116 + t148;
-        work.t151 = t118 + t148;
-        let t152 = t146 * t147;
-        work.t153 = t120 + t152;
-        work.t154 = t122 + t148;
-        work.t155 = t124 + t148;
-        work.t156 = t126 + t152;
-        work.t157 = t128 + t148;
-        work.t158 = t130 + t152;
-        let t159 = t147 * t147;
-        work.t160 = t132 + t159;
-        let t161 = t146 * t145;
-        work.t162 = t134 + t161;
-        work.t163 = t136 + t161;
-        work.t164 = t138 + t161;
-        let t165 = t147 * t145;
-        work.t166 = t140 + t165;
+        let t105 = 0.0 + t104;
+        let t106 = self.camera[work.t098.min(40)];
+        let t107 = t106 - 0.0;
+        let t109 = 200.0 * t107;
+        let t110 = t104 * 0.164_398_98;
+        let t111 = t104 * -0.116_738_87;
+        let t112 = t104 * 0.073_948_87;
+        let t113 = t104 * 0.045_657_706;
+        let t114 = t110 * t110;
+        let t115 = 0.0 + t114;
+        let t116 = t110 * t111;
+        let t117 = 0.0 + t116;
+        let t118 = t110 * t112;
+        let t119 = 0.0 + t118;
+        let t120 = t110 * t113;
+        let t121 = 0.0 + t120;
+        let t122 = t111 * t111;
+        let t123 = 0.0 + t122;
+        let t124 = t111 * t112;
+        let t125 = 0.0 + t124;
+        let t126 = t111 * t113;
+        let t127 = 0.0 + t126;
+        let t128 = t112 * t112;
+        let t129 = 0.0 + t128;
+        let t130 = t112 * t113;
+        let t131 = 0.0 + t130;
+        let t132 = t113 * t113;
+        let t133 = 0.0 + t132;
+        let t134 = t110 * t109;
+        let t135 = 0.0 + t134;
+        let t136 = t111 * t109;
+        let t137 = 0.0 + t136;
+        let t138 = t112 * t109;
+        let t139 = 0.0 + t138;
+        let t140 = t113 * t109;
+        let t141 = 0.0 + t140;
+        let t142 = self.has_wheel[work.t098.min(40)];
+        work.t143 = t105 + t142;
+        let t144 = self.wheel[work.t098.min(40)];
+        let t145 = t144 - 0.0;
+        let t147 = 50.0 * t145;
+        let t148 = t142 * 0.0;
+        let t149 = t142 * 0.713_766_75;
+        let t150 = t148 * t148;
+        work.t151 = t115 + t150;
+        work.t152 = t117 + t150;
+        work.t153 = t119 + t150;
+        let t154 = t148 * t149;
+        work.t155 = t121 + t154;
+        work.t156 = t123 + t150;
+        work.t157 = t125 + t150;
+        work.t158 = t127 + t154;
+        work.t159 = t129 + t150;
+        work.t160 = t131 + t154;
+        let t161 = t149 * t149;
+        work.t162 = t133 + t161;
+        let t163 = t148 * t147;
+        work.t164 = t135 + t163;
+        work.t165 = t137 + t163;
+        work.t166 = t139 + t163;
+        let t167 = t149 * t147;
+        work.t168 = t141 + t167;
     }
 
     /// Part 4 of a step, for one row of `ROWS`.
     fn part_4(&self, work: &mut Work, gains: [f32; 8]) {
-        work.t186 = if work.t185 < 40 { work.t185 + 1 } else { 0 };
-        let t187 = self.tanh_20_wheel[work.t185.min(40)];
-        let t188 = self.force[work.t186.min(40)];
-        let t189 = self.tanh_20_wheel[work.t186.min(40)];
-        let t191 = 0.009_960_107 * work.t182;
-        let t193 = 4.986_693_2e-5 * work.t183;
-        let t194 = work.t181 + t191;
-        let t195 = t194 + t193;
-        let t197 = -1.329_341_8e-5 * t187;
-        let t198 = 1.994_677_4e-5 * t188;
-        let t199 = -6.653_355e-6 * t189;
-        let t200 = t198 + t199;
-        let t201 = t195 + t197;
-        work.t202 = t201 + t200;
-        let t204 = 0.992_031_93 * work.t182;
-        let t205 = 0.009_960_107 * work.t183;
-        let t206 = t204 + t205;
-        let t208 = -0.001_989_365_3 * t187;
-        let t209 = 0.003_984_042_4 * t188;
-        let t210 = -0.001_994_677_4 * t189;
-        let t211 = t209 + t210;
-        let t212 = t206 + t208;
-        work.t213 = t212 + t211;
-        let t215 = 0.258_096_25 * work.t182;
-        let t217 = 0.001_356_897_8 * work.t183;
-        let t219 = 0.740_818_2 * work.t184;
-        let t220 = t215 + t217;
-        let t221 = t220 + t219;
-        let t223 = -0.000_357_278_8 * t187;
-        let t224 = 0.000_542_759_1 * t188;
-        let t225 = -0.000_185_480_31 * t189;
-        let t226 = t224 + t225;
-        let t227 = t221 + t223;
-        work.t228 = t227 + t226;
-        let t229 = gains[0];
-        let t230 = gains[1];
-        let t231 = gains[2];
-        let t232 = gains[3];
-        let t233 = gains[4];
-        let t234 = gains[5];
-        let t235 = gains[6];
-        let t236 = gains[7];
-        let t237 = self.has_camera[work.t186.min(40)];
-        let t238 = self.camera[work.t186.min(40)];
-        let t239 = t238 - work.t202;
-        let t240 = 200.0 * t239;
-        let t241 = t237 * t229;
-        let t242 = t237 * t230;
-        let t243 = t237 * t231;
-        let t244 = t237 * t232;
-        let t245 = t241 * t241;
-        let t246 = work.t167 + t245;
-        let t247 = t241 * t242;
-        let t248 = work.t168 + t247;
-        let t249 = t241 * t243;
-        work.t250 = work.t169 + t249;
-        let t251 = t241 * t244;
+        work.t189 = if work.t188 < 40 { work.t188 + 1 } else { 0 };
+        let t190 = self.tanh_20_wheel[work.t188.min(40)];
+        let t191 = self.force[work.t189.min(40)];
+        let t192 = self.tanh_20_wheel[work.t189.min(40)];
+        let t194 = 0.009_960_107 * work.t184;
+        let t196 = 4.986_693_2e-5 * work.t185;
+        let t197 = work.t183 + t194;
+        let t198 = t197 + t196;
+        let t200 = -1.329_341_8e-5 * t190;
+        let t201 = 1.994_677_4e-5 * t191;
+        let t202 = -6.653_355e-6 * t192;
+        let t203 = t201 + t202;
+        let t204 = t198 + t200;
+        work.t205 = t204 + t203;
+        let t207 = 0.992_031_93 * work.t184;
+        let t208 = 0.009_960_107 * work.t185;
+        let t209 = t207 + t208;
+        let t211 = -0.001_989_365_3 * t190;
+        let t212 = 0.003_984_042_4 * t191;
+        let t213 = -0.001_994_677_4 * t192;
+        let t214 = t212 + t213;
+        let t215 = t209 + t211;
+        work.t216 = t215 + t214;
+        let t218 = 0.258_096_25 * work.t184;
+        let t220 = 0.001_356_897_8 * work.t185;
+        let t222 = 0.740_818_2 * work.t186;
+        let t223 = t218 + t220;
+        let t224 = t223 + t222;
+        let t226 = -0.000_357_278_8 * t190;
+        let t227 = 0.000_542_759_1 * t191;
+        let t228 = -0.000_185_480_31 * t192;
+        let t229 = t227 + t228;
+        let t230 = t224 + t226;
+        work.t231 = t230 + t229;
+        let t232 = gains[0];
+        let t233 = gains[1];
+        let t234 = gains[2];
+        let t235 = gains[3];
+        let t236 = gains[4];
+        let t237 = gains[5];
+        let t238 = gains[6];
+        let t239 = gains[7];
+        let t240 = self.has_camera[work.t189.min(40)];
+        let t241 = work.t187 + t240;
+        let t242 = self.camera[work.t189.min(40)];
+        let t243 = t242 - work.t205;
+        let t244 = 200.0 * t243;
+        let t245 = t240 * t232;
+        let t246 = t240 * t233;
+        let t247 = t240 * t234;
+        let t248 = t240 * t235;
+        let t249 = t245 * t245;
+        let t250 = work.t169 + t249;
+        let t251 = t245 * t246;
         work.t252 = work.t170 + t251;
-        let t253 = t242 * t242;
+        let t253 = t245 * t247;
         work.t254 = work.t171 + t253;
-        let t255 = t242 * t243;
+        let t255 = t245 * t248;
         work.t256 = work.t172 + t255;
-        let t257 = t242 * t244;
+        let t257 = t246 * t246;
         work.t258 = work.t173 + t257;
-        let t259 = t243 * t243;
+        let t259 = t246 * t247;
         work.t260 = work.t174 + t259;
-        let t261 = t243 * t244;
+        let t261 = t246 * t248;
         work.t262 = work.t175 + t261;
-        let t263 = t244 * t244;
+        let t263 = t247 * t247;
         work.t264 = work.t176 + t263;
-        let t265 = t241 * t240;
+        let t265 = t247 * t248;
         work.t266 = work.t177 + t265;
-        let t267 = t242 * t240;
+        let t267 = t248 * t248;
         work.t268 = work.t178 + t267;
-        let t269 = t243 * t240;
+        let t269 = t245 * t244;
         work.t270 = work.t179 + t269;
-        let t271 = t244 * t240;
+        let t271 = t246 * t244;
         work.t272 = work.t180 + t271;
-        let t273 = self.has_wheel[work.t186.min(40)];
-        let t274 = self.wheel[work.t186.min(40)];
-        let t275 = t274 - work.t228;
-        work.t276 = 50.0 * t275;
-        work.t277 = t273 * t233;
-        work.t278 = t273 * t234;
-        work.t279 = t273 * t235;
-        work.t280 = t273 * t236;
-        let t281 = work.t277 * work.t277;
-        work.t282 = t246 + t281;
-        let t283 = work.t277 * work.t278;
-        work.t284 = t248 + t283;
+        let t273 = t247 * t244;
+        work.t274 = work.t181 + t273;
+        let t275 = t248 * t244;
+        work.t276 = work.t182 + t275;
+        let t277 = self.has_wheel[work.t189.min(40)];
+        work.t278 = t241 + t277;
+        let t279 = self.wheel[work.t189.min(40)];
+        let t280 = t279 - work.t231;
+        work.t281 = 50.0 * t280;
+        work.t282 = t277 * t236;
+        work.t283 = t277 * t237;
+        work.t284 = t277 * t238;
+        work.t285 = t277 * t239;
+        let t286 = work.t282 * work.t282;
+        work.t287 = t250 + t286;
     }
 
     /// Part 5 of a step, for one row of `ROWS`.
     fn part_5(work: &mut Work) {
-        let t285 = work.t277 * work.t279;
-        work.t286 = work.t250 + t285;
-        let t287 = work.t277 * work.t280;
-        work.t288 = work.t252 + t287;
-        let t289 = work.t278 * work.t278;
-        work.t290 = work.t254 + t289;
-        let t291 = work.t278 * work.t279;
-        work.t292 = work.t256 + t291;
-        let t293 = work.t278 * work.t280;
-        work.t294 = work.t258 + t293;
-        let t295 = work.t279 * work.t279;
-        work.t296 = work.t260 + t295;
-        let t297 = work.t279 * work.t280;
-        work.t298 = work.t262 + t297;
-        let t299 = work.t280 * work.t280;
-        work.t300 = work.t264 + t299;
-        let t301 = work.t277 * work.t276;
-        work.t302 = work.t266 + t301;
-        let t303 = work.t278 * work.t276;
-        work.t304 = work.t268 + t303;
-        let t305 = work.t279 * work.t276;
-        work.t306 = work.t270 + t305;
-        let t307 = work.t280 * work.t276;
-        work.t308 = work.t272 + t307;
-        work.t309 = work.t183 - 0.0;
+        let t288 = work.t282 * work.t283;
+        work.t289 = work.t252 + t288;
+        let t290 = work.t282 * work.t284;
+        work.t291 = work.t254 + t290;
+        let t292 = work.t282 * work.t285;
+        work.t293 = work.t256 + t292;
+        let t294 = work.t283 * work.t283;
+        work.t295 = work.t258 + t294;
+        let t296 = work.t283 * work.t284;
+        work.t297 = work.t260 + t296;
+        let t298 = work.t283 * work.t285;
+        work.t299 = work.t262 + t298;
+        let t300 = work.t284 * work.t284;
+        work.t301 = work.t264 + t300;
+        let t302 = work.t284 * work.t285;
+        work.t303 = work.t266 + t302;
+        let t304 = work.t285 * work.t285;
+        work.t305 = work.t268 + t304;
+        let t306 = work.t282 * work.t281;
+        work.t307 = work.t270 + t306;
+        let t308 = work.t283 * work.t281;
+        work.t309 = work.t272 + t308;
+        let t310 = work.t284 * work.t281;
+        work.t311 = work.t274 + t310;
+        let t312 = work.t285 * work.t281;
+        work.t313 = work.t276 + t312;
+        work.t314 = work.t185 - 0.0;
     }
 
     /// Part 6 of a step.
     fn part_6(&self, work: &mut Work) {
-        work.t167 = work.t149;
-        work.t168 = work.t150;
         work.t169 = work.t151;
-        work.t170 = work.t153;
-        work.t171 = work.t154;
+        work.t170 = work.t152;
+        work.t171 = work.t153;
         work.t172 = work.t155;
         work.t173 = work.t156;
         work.t174 = work.t157;
         work.t175 = work.t158;
-        work.t176 = work.t160;
-        work.t177 = work.t162;
-        work.t178 = work.t163;
+        work.t176 = work.t159;
+        work.t177 = work.t160;
+        work.t178 = work.t162;
         work.t179 = work.t164;
-        work.t180 = work.t166;
-        work.t181 = 0.0;
-        work.t182 = 0.0;
+        work.t180 = work.t165;
+        work.t181 = work.t166;
+        work.t182 = work.t168;
         work.t183 = 0.0;
         work.t184 = 0.0;
-        work.t185 = work.t098;
+        work.t185 = 0.0;
+        work.t186 = 0.0;
+        work.t187 = work.t143;
+        work.t188 = work.t098;
         for gains in &ROWS {
             self.part_4(work, *gains);
             Self::part_5(work);
-            work.t167 = work.t282;
-            work.t168 = work.t284;
-            work.t169 = work.t286;
-            work.t170 = work.t288;
-            work.t171 = work.t290;
-            work.t172 = work.t292;
-            work.t173 = work.t294;
-            work.t174 = work.t296;
-            work.t175 = work.t298;
-            work.t176 = work.t300;
-            work.t177 = work.t302;
-            work.t178 = work.t304;
-            work.t179 = work.t306;
-            work.t180 = work.t308;
-            work.t181 = work.t202;
-            work.t182 = work.t213;
-            work.t183 = work.t309;
-            work.t184 = work.t228;
-            work.t185 = work.t186;
+            work.t169 = work.t287;
+            work.t170 = work.t289;
+            work.t171 = work.t291;
+            work.t172 = work.t293;
+            work.t173 = work.t295;
+            work.t174 = work.t297;
+            work.t175 = work.t299;
+            work.t176 = work.t301;
+            work.t177 = work.t303;
+            work.t178 = work.t305;
+            work.t179 = work.t307;
+            work.t180 = work.t309;
+            work.t181 = work.t311;
+            work.t182 = work.t313;
+            work.t183 = work.t205;
+            work.t184 = work.t216;
+            work.t185 = work.t314;
+            work.t186 = work.t231;
+            work.t187 = work.t278;
+            work.t188 = work.t189;
         }
     }
 
     /// Part 7 of a step.
     fn part_7(work: &mut Work) {
-        // the window's start from the samples that are there
-        let t311 = 0.015_625 < work.t167;
-        let t312 = if t311 { work.t167 } else { 1.0 };
-        let t313 = work.t168 / t312;
-        let t314 = t313 * work.t168;
-        let t315 = work.t171 - t314;
-        let t316 = t313 * work.t169;
-        let t317 = work.t172 - t316;
-        let t318 = t313 * work.t170;
-        let t319 = work.t173 - t318;
-        let t320 = t313 * work.t177;
-        let t321 = work.t178 - t320;
-        let t322 = work.t169 / t312;
-        let t323 = t322 * work.t169;
-        let t324 = work.t174 - t323;
-        let t325 = t322 * work.t170;
-        let t326 = work.t175 - t325;
-        let t327 = t322 * work.t177;
-        let t328 = work.t179 - t327;
-        let t329 = work.t170 / t312;
-        let t330 = t329 * work.t170;
-        let t331 = work.t176 - t330;
-        let t332 = t329 * work.t177;
-        let t333 = work.t180 - t332;
-        let t334 = 0.015_625 < t315;
-        let t335 = t311 && t334;
-        let t336 = if t334 { t315 } else { 1.0 };
-        let t337 = t317 / t336;
-        let t338 = t337 * t317;
-        let t339 = t324 - t338;
-        let t340 = t337 * t319;
-        let t341 = t326 - t340;
-        let t342 = t337 * t321;
-        let t343 = t328 - t342;
-        let t344 = t319 / t336;
-        let t345 = t344 * t319;
-        let t346 = t331 - t345;
-        let t347 = t344 * t321;
-        let t348 = t333 - t347;
-        let t349 = 0.015_625 < t339;
-        let t350 = t335 && t349;
-        let t351 = if t349 { t339 } else { 1.0 };
-        let t352 = t341 / t351;
-        let t353 = t352 * t341;
-        let t354 = t346 - t353;
-        let t355 = t352 * t343;
-        let t356 = t348 - t355;
-        let t357 = 0.015_625 < t354;
-        work.flags[5] = t350 && t357;
-        let t359 = if t357 { t354 } else { 1.0 };
-        let t360 = t356 / t359;
-        let t361 = t341 * t360;
-        let t362 = t343 - t361;
-        let t363 = t362 / t351;
-        let t364 = t317 * t363;
-        let t365 = t321 - t364;
-        let t366 = t319 * t360;
-        let t367 = t365 - t366;
-        let t368 = t367 / t336;
-        let t369 = work.t168 * t368;
-        let t370 = work.t177 - t369;
-        let t371 = work.t169 * t363;
-        let t372 = t370 - t371;
-        let t373 = work.t170 * t360;
-        let t374 = t372 - t373;
-        let t375 = t374 / t312;
-        let t377 = 0.000_821_994_9 * t375;
-        let t379 = 0.000_636_964_05 * t368;
-        let t381 = 0.000_549_361_6 * t363;
-        let t383 = 3.316_672_5e-5 * t360;
-        let t384 = t377 + t379;
-        let t385 = t384 + t381;
-        let t386 = t385 + t383;
-        work.t387 = t386 + work.t181;
-        let t389 = 0.002_589_379 * t368;
-        let t391 = 0.006_504_165 * t363;
-        let t393 = 0.001_400_119_9 * t360;
-        let t394 = t389 + t391;
-        let t395 = t394 + t393;
-        work.t396 = t395 + work.t182;
-        let t398 = 0.032_337_446 * t363;
-        let t400 = 0.009_580_231 * t360;
-        let t401 = t398 + t400;
-        work.t402 = t401 + work.t183;
-        let t404 = 0.002_660_298_3 * t368;
-        let t406 = 0.005_574_961 * t363;
-        let t408 = 0.001_110_495_3 * t360;
-        let t409 = t404 + t406;
-        let t410 = t409 + t408;
-        work.t411 = t410 + work.t184;
+        // the state from the samples that are there, and its variance
+        let t329 = 0.0001 * work.t169;
+        let t330 = t329 + 9.860_761_3e-32;
+        let t331 = 0.0001 * work.t173;
+        let t332 = t331 + 9.860_761_3e-32;
+        let t333 = 0.0001 * work.t176;
+        let t334 = t333 + 9.860_761_3e-32;
+        let t335 = 0.0001 * work.t178;
+        work.t336 = t335 + 9.860_761_3e-32;
+        let t337 = t330 < work.t169;
+        let t338 = if t337 { work.t169 } else { 1.0 };
+        let t339 = work.t170 / t338;
+        let t340 = work.t171 / t338;
+        let t341 = work.t172 / t338;
+        let t342 = t339 * work.t170;
+        let t343 = work.t173 - t342;
+        let t344 = t339 * work.t171;
+        let t345 = work.t174 - t344;
+        let t346 = t339 * work.t172;
+        let t347 = work.t175 - t346;
+        let t348 = t339 * work.t179;
+        let t349 = work.t180 - t348;
+        let t350 = t340 * work.t171;
+        let t351 = work.t176 - t350;
+        let t352 = t340 * work.t172;
+        let t353 = work.t177 - t352;
+        let t354 = t340 * work.t179;
+        let t355 = work.t181 - t354;
+        let t356 = t341 * work.t172;
+        let t357 = work.t178 - t356;
+        let t358 = t341 * work.t179;
+        let t359 = work.t182 - t358;
+        let t360 = work.t179 / t338;
+        let t361 = t339 * 0.052_607_674;
+        let t362 = 0.040_765_7 - t361;
+        let t363 = t340 * 0.052_607_674;
+        let t364 = 0.035_159_14 - t363;
+        let t365 = t341 * 0.052_607_674;
+        let t366 = 0.002_122_670_4 - t365;
+        let t367 = 0.052_607_674 * t360;
+        let t368 = 0.052_607_674 / t338;
+        let t369 = 0.052_607_674 * t368;
+        let t370 = t332 < t343;
+        let t371 = t337 && t370;
+        let t372 = if t370 { t343 } else { 1.0 };
+        let t373 = t345 / t372;
+        let t374 = t347 / t372;
+        let t375 = t373 * t345;
+        let t376 = t351 - t375;
+        let t377 = t373 * t347;
+        let t378 = t353 - t377;
+        let t379 = t373 * t349;
+        let t380 = t355 - t379;
+        let t381 = t374 * t347;
+        let t382 = t357 - t381;
+        let t383 = t374 * t349;
+        let t384 = t359 - t383;
+        let t385 = t349 / t372;
+        let t386 = t373 * t362;
+        work.t387 = t364 - t386;
+        let t388 = t374 * t362;
+        work.t389 = t366 - t388;
+        let t390 = t362 * t385;
+        work.t391 = t367 + t390;
+        let t392 = t362 / t372;
+        let t393 = t362 * t392;
+        work.t394 = t369 + t393;
+        let t395 = t373 * 0.020_715_032;
+        work.t396 = 0.052_033_32 - t395;
+        let t397 = t374 * 0.020_715_032;
+        work.t398 = 0.011_200_959 - t397;
+        work.t399 = 0.020_715_032 * t385;
+        let t400 = 0.020_715_032 / t372;
+        work.t401 = 0.020_715_032 * t400;
+        let t402 = t373 * 0.021_282_386;
+        work.t403 = 0.044_599_69 - t402;
+        let t404 = t374 * 0.021_282_386;
+        work.t405 = 0.008_883_962 - t404;
+        work.t406 = 0.021_282_386 * t385;
+        let t407 = 0.021_282_386 / t372;
+        work.t408 = 0.021_282_386 * t407;
+        let t409 = t334 < t376;
+        work.flags[5] = t371 && t409;
+        work.t411 = if t409 { t376 } else { 1.0 };
+        work.t412 = t378 / work.t411;
+        let t413 = work.t412 * t378;
+        work.t414 = t382 - t413;
+        let t415 = work.t412 * t380;
+        work.t416 = t384 - t415;
+        work.t417 = t380 / work.t411;
+        work.t418 = work.t412 * work.t387;
     }
 
     /// Part 8 of a step.
-    fn part_8(&mut self, work: &mut Work) {
+    fn part_8(work: &mut Work) {
+        let t419 = work.t389 - work.t418;
+        let t420 = work.t387 * work.t417;
+        let t421 = work.t391 + t420;
+        let t422 = work.t387 / work.t411;
+        let t423 = work.t387 * t422;
+        let t424 = work.t394 + t423;
+        let t425 = work.t412 * work.t396;
+        let t426 = work.t398 - t425;
+        let t427 = work.t396 * work.t417;
+        let t428 = work.t399 + t427;
+        let t429 = work.t396 / work.t411;
+        let t430 = work.t396 * t429;
+        let t431 = work.t401 + t430;
+        let t432 = work.t412 * 0.064_674_89;
+        let t433 = 0.019_160_463 - t432;
+        let t434 = 0.064_674_89 * work.t417;
+        let t435 = 0.064_674_89 / work.t411;
+        let t436 = 0.064_674_89 * t435;
+        let t437 = work.t412 * work.t403;
+        let t438 = work.t405 - t437;
+        let t439 = work.t403 * work.t417;
+        let t440 = work.t406 + t439;
+        let t441 = work.t403 / work.t411;
+        let t442 = work.t403 * t441;
+        let t443 = work.t408 + t442;
+        let t444 = work.t336 < work.t414;
+        let t445 = work.flags[5] && t444;
+        let t446 = if t444 { work.t414 } else { 1.0 };
+        let t447 = work.t416 / t446;
+        let t448 = t419 * t447;
+        let t449 = t421 + t448;
+        let t450 = t419 / t446;
+        let t451 = t419 * t450;
+        let t452 = t424 + t451;
+        let t453 = t426 * t447;
+        let t454 = t428 + t453;
+        let t455 = t426 / t446;
+        let t456 = t426 * t455;
+        let t457 = t431 + t456;
+        let t458 = t433 * t447;
+        let t459 = t434 + t458;
+        let t460 = t433 / t446;
+        let t461 = t433 * t460;
+        let t462 = t436 + t461;
+        let t463 = t438 * t447;
+        let t464 = t440 + t463;
+        let t465 = t438 / t446;
+        let t466 = t438 * t465;
+        let t467 = t443 + t466;
+        let t469 = 0.015_625 * t449;
+        let t471 = 0.125 * t454;
+        let t473 = 0.5 * t459;
+        let t474 = 0.125 * t464;
+
+        // what it is worth
+        let t476 = t452 * 0.329_990_95;
+        let t477 = 0.0 < t476;
+        let t478 = if t477 { t476 } else { 0.0 };
+        let t480 = t457 * 0.732_728_9;
+        let t481 = t478 < t480;
+        let t482 = if t481 { t480 } else { t478 };
+        let t484 = t462 * 0.498_792_47;
+        let t485 = t482 < t484;
+        let t486 = if t485 { t484 } else { t482 };
+        let t488 = t467 * 0.955_738_66;
+        let t489 = t486 < t488;
+        let t490 = if t489 { t488 } else { t486 };
+        let t495 = t490 <= 154_202.52;
+        work.flags[6] = t445 && t495;
+        let t497 = t490 <= 0.154_202_5;
+        work.flags[7] = work.flags[6] && t497;
+        let t499 = 1.442_864_7 * work.t187;
+        let t500 = t499 + 49.84152;
+        let t501 = t490 * t500;
+        let t502 = t501 <= 1.0;
+        work.flags[8] = work.flags[7] && t502;
+        work.flags[9] = 0.0 < work.t187;
+        work.t505 = t469 + work.t183;
+        work.t506 = t471 + work.t184;
+        work.t507 = t473 + work.t185;
+        work.t508 = t474 + work.t186;
+    }
+
+    /// Part 9 of a step.
+    fn part_9(&mut self, work: &mut Work) {
         // without enough samples, the model's prediction
-        let t412 = (-1e25..=1e25).contains(&work.t047);
-        let t413 = work.flags[2] && t412;
-        let t414 = if work.flags[5] { work.t387 } else { work.t047 };
-        let t415 = (-1e25..=1e25).contains(&work.t050);
-        let t416 = t413 && t415;
-        let t417 = if work.flags[5] { work.t396 } else { work.t050 };
-        let t418 = (-1e25..=1e25).contains(&work.t020);
-        let t419 = t416 && t418;
-        let t420 = if work.flags[5] { work.t402 } else { work.t020 };
-        let t421 = (-1e25..=1e25).contains(&work.t053);
-        let t422 = t419 && t421;
-        let t423 = if work.flags[5] { work.t411 } else { work.t053 };
-        let t424 = work.flags[5] || t422;
-        let t425 = work.flags[4] && t424;
-        let t426 = usize::from(t425);
-        self.known = t426;
-        let t428 = 0.009_960_107 * t417;
-        let t430 = 4.986_693_2e-5 * t420;
-        let t431 = t414 + t428;
-        let t432 = t431 + t430;
-        let t434 = -1.329_341_8e-5 * work.t044;
-        let t435 = t432 + t434;
-        let t436 = (-1e25..=1e25).contains(&t435);
-        let t437 = if t436 { t435 } else { 0.0 };
-        self.next_position = t437;
-        let t439 = 0.992_031_93 * t417;
-        let t440 = 0.009_960_107 * t420;
-        let t441 = t439 + t440;
-        let t443 = -0.001_989_365_3 * work.t044;
-        let t444 = t441 + t443;
-        let t445 = (-1e25..=1e25).contains(&t444);
-        let t446 = if t445 { t444 } else { 0.0 };
-        self.next_speed = t446;
-        let t447 = (-1e25..=1e25).contains(&t420);
-        let t448 = if t447 { t420 } else { 0.0 };
-        self.next_slope = t448;
-        let t450 = 0.258_096_25 * t417;
-        let t452 = 0.001_356_897_8 * t420;
-        let t454 = 0.740_818_2 * t423;
-        let t455 = t450 + t452;
-        let t456 = t455 + t454;
-        let t458 = -0.000_357_278_8 * work.t044;
-        let t459 = t456 + t458;
-        let t460 = (-1e25..=1e25).contains(&t459);
-        let t461 = if t460 { t459 } else { 0.0 };
-        self.next_wheel = t461;
+        let t509 = (-1e31..=1e31).contains(&work.t047);
+        let t510 = work.flags[2] && t509;
+        let t511 = (-1e31..=1e31).contains(&work.t050);
+        let t512 = t510 && t511;
+        let t513 = (-1e31..=1e31).contains(&work.t020);
+        let t514 = t512 && t513;
+        let t515 = (-1e31..=1e31).contains(&work.t053);
+        let t516 = t514 && t515;
+        let t517 = self.poor;
+        let t518 = if t517 < 123 { t517 + 1 } else { 123 };
+        let t519 = if work.flags[9] { t518 } else { t517 };
+        let t520 = if work.flags[7] { 0 } else { t519 };
+        self.poor = t520;
+        let t522 = t520 < 123;
+        let t523 = t522 && t516;
+        let t524 = !t523;
+        let t525 = work.flags[7] || t524;
+        let t526 = work.flags[6] && t525;
+        let t527 = if t526 { work.t505 } else { work.t047 };
+        let t528 = if t526 { work.t506 } else { work.t050 };
+        let t529 = if t526 { work.t507 } else { work.t020 };
+        let t530 = if t526 { work.t508 } else { work.t053 };
+        let t531 = t526 || t516;
+        let t532 = work.flags[4] && t531;
+        let t533 = usize::from(t532);
+        self.known = t533;
+        let t535 = 0.009_960_107 * t528;
+        let t537 = 4.986_693_2e-5 * t529;
+        let t538 = t527 + t535;
+        let t539 = t538 + t537;
+        let t541 = -1.329_341_8e-5 * work.t044;
+        let t542 = t539 + t541;
+        let t543 = (-1e31..=1e31).contains(&t542);
+        let t544 = if t543 { t542 } else { 0.0 };
+        self.next_position = t544;
+        let t546 = 0.992_031_93 * t528;
+        let t547 = 0.009_960_107 * t529;
+        let t548 = t546 + t547;
+        let t550 = -0.001_989_365_3 * work.t044;
+        let t551 = t548 + t550;
+        let t552 = (-1e31..=1e31).contains(&t551);
+        let t553 = if t552 { t551 } else { 0.0 };
+        self.next_speed = t553;
+        let t554 = (-1e31..=1e31).contains(&t529);
+        let t555 = if t554 { t529 } else { 0.0 };
+        self.next_slope = t555;
+        let t557 = 0.258_096_25 * t528;
+        let t559 = 0.001_356_897_8 * t529;
+        let t561 = 0.740_818_2 * t530;
+        let t562 = t557 + t559;
+        let t563 = t562 + t561;
+        let t565 = -0.000_357_278_8 * work.t044;
+        let t566 = t563 + t565;
+        let t567 = (-1e31..=1e31).contains(&t566);
+        let t568 = if t567 { t566 } else { 0.0 };
+        self.next_wheel = t568;
 
         // the estimate; until there is one, the start
-        work.t462 = if t425 { t414 } else { 0.0 };
-        work.t463 = if t425 { t417 } else { 0.0 };
-        work.t464 = if t425 { t420 } else { 0.0 };
-        work.t465 = if t425 { t423 } else { work.t061 };
-        let t466 = self.coasting;
-        let t467 = t466 == 0;
-        let t468 = work.flags[5] && t467;
-        let t472 = if t468 { Status::Converged } else { Status::Coasting };
-        work.t473 = if t425 { t472 } else { Status::Converging };
+        work.t569 = if t532 { t527 } else { 0.0 };
+        work.t570 = if t532 { t528 } else { 0.0 };
+        work.t571 = if t532 { t529 } else { 0.0 };
+        work.t572 = if t532 { t530 } else { work.t061 };
+        let t573 = self.coasting;
+        let t574 = t573 == 0;
+        let t575 = work.flags[8] && t574;
+        let t579 = if t575 { Status::Converged } else { Status::Coasting };
+        work.t580 = if t532 { t579 } else { Status::Converging };
     }
 }
 const _: f32 = SAMPLE_TIME;

@@ -12,7 +12,8 @@
 //! Method     window: least squares over the samples that are there of the last 41 (0.4 s at 0.01 s)
 //! Converged  from call 41 (0.4 s after the first), whatever the initial state
 //!            a missing sample is left out: with fewer samples the gains are larger, without noise the estimate is as exact
-//!            where those that are there do not determine the state, the model's prediction stands in (COASTING)
+//!            CONVERGED while the bound with samples lost holds; beyond it COASTING: the estimate of the samples that are there,
+//!            or, where they do not determine the state or hardly do, the model's prediction, the latter for three windows at most
 //!            gains at the worst of 5 phases with the samples that are due, 41 calls a window; `design` has each
 //!
 //!                                       position  speed    slope
@@ -22,11 +23,13 @@
 //!   noise gain from wheel, worst case   0.217     1.58     7.34
 //!   noise gain from wheel, white        0.03814   0.2926   1.322
 //!   error bound from noise              0.00934   0.03318  0.152
-//!   on top: rounding in f32, of which there is no bound here
+//!   error bound with samples lost       0.02116   0.06637  0.3039
+//!   error bound without wheel           0.01796   0.2018   0.9715
+//!   without camera the state is not determined
 //!
-//! Cost       1328 multiplications, 1081 additions, 6 divisions a call, the same for every call
-//! Memory     state 856 bytes, constants 960 bytes
-//!            at most: stack 2540 bytes, flash 10576 bytes without elementary functions
+//! Cost       1345 multiplications, 1171 additions, 12 divisions a call, the same for every call
+//! Memory     state 860 bytes, constants 960 bytes
+//!            at most: stack 3084 bytes, flash 12632 bytes without elementary functions
 //!
 //! Contract:
 //!  1. No heap, no recursion, no global or static mutable data, no file or console, no library.
@@ -106,6 +109,8 @@ pub struct Observer {
     known: usize,
     /// slot of the time that the newest sample shows
     slot_camera: usize,
+    /// calls with samples since these were worth more than a prediction
+    poor: usize,
     /// calls since a sample was accepted
     since: usize,
 }
@@ -170,7 +175,7 @@ struct Work {
     t027: f32,
     t032: usize,
     t047: usize,
-    t088: f32,
+    t081: f32,
     t090: f32,
     t092: f32,
     t094: f32,
@@ -179,7 +184,6 @@ struct Work {
     t100: f32,
     t102: f32,
     t104: f32,
-    t105: f32,
     t106: f32,
     t107: f32,
     t108: f32,
@@ -191,29 +195,33 @@ struct Work {
     t114: f32,
     t115: f32,
     t116: f32,
-    t117: usize,
-    t118: usize,
-    t127: f32,
-    t133: f32,
-    t173: f32,
-    t175: f32,
-    t177: f32,
-    t179: f32,
-    t181: f32,
-    t183: f32,
-    t185: f32,
-    t187: f32,
-    t189: f32,
+    t117: f32,
+    t118: f32,
+    t119: f32,
+    t120: usize,
+    t121: usize,
+    t130: f32,
+    t136: f32,
+    t170: f32,
+    t178: f32,
+    t180: f32,
+    t182: f32,
+    t184: f32,
+    t186: f32,
+    t188: f32,
     t190: f32,
-    t248: f32,
-    t251: f32,
-    t254: f32,
-    t274: f32,
-    t275: f32,
-    t276: f32,
-    t284: Status,
-    /// t46, t215, t256
-    flags: [bool; 3],
+    t192: f32,
+    t194: f32,
+    t195: f32,
+    t299: f32,
+    t300: f32,
+    t301: f32,
+    t342: f32,
+    t343: f32,
+    t344: f32,
+    t352: Status,
+    /// t46, t291, t293, t297, t298
+    flags: [bool; 5],
 }
 
 impl Work {
@@ -226,7 +234,7 @@ impl Work {
         t027: 0.0,
         t032: 0,
         t047: 0,
-        t088: 0.0,
+        t081: 0.0,
         t090: 0.0,
         t092: 0.0,
         t094: 0.0,
@@ -235,7 +243,6 @@ impl Work {
         t100: 0.0,
         t102: 0.0,
         t104: 0.0,
-        t105: 0.0,
         t106: 0.0,
         t107: 0.0,
         t108: 0.0,
@@ -247,28 +254,32 @@ impl Work {
         t114: 0.0,
         t115: 0.0,
         t116: 0.0,
-        t117: 0,
-        t118: 0,
-        t127: 0.0,
-        t133: 0.0,
-        t173: 0.0,
-        t175: 0.0,
-        t177: 0.0,
-        t179: 0.0,
-        t181: 0.0,
-        t183: 0.0,
-        t185: 0.0,
-        t187: 0.0,
-        t189: 0.0,
+        t117: 0.0,
+        t118: 0.0,
+        t119: 0.0,
+        t120: 0,
+        t121: 0,
+        t130: 0.0,
+        t136: 0.0,
+        t170: 0.0,
+        t178: 0.0,
+        t180: 0.0,
+        t182: 0.0,
+        t184: 0.0,
+        t186: 0.0,
+        t188: 0.0,
         t190: 0.0,
-        t248: 0.0,
-        t251: 0.0,
-        t254: 0.0,
-        t274: 0.0,
-        t275: 0.0,
-        t276: 0.0,
-        t284: Status::Converging,
-        flags: [false; 3],
+        t192: 0.0,
+        t194: 0.0,
+        t195: 0.0,
+        t299: 0.0,
+        t300: 0.0,
+        t301: 0.0,
+        t342: 0.0,
+        t343: 0.0,
+        t344: 0.0,
+        t352: Status::Converging,
+        flags: [false; 5],
     };
 }
 
@@ -290,6 +301,7 @@ impl Observer {
             next_slope: 0.0,
             known: 0,
             slot_camera: 38,
+            poor: 123,
             since: 0,
         }
     }
@@ -301,14 +313,14 @@ impl Observer {
         self.part_1(measurements, inputs, &mut work);
         self.part_2(&mut work);
         self.part_4(&mut work);
-        self.part_5(&mut work);
+        Self::part_5(&mut work);
         self.part_6(&mut work);
         Estimate {
-            position: work.t274,
-            speed: work.t275,
-            slope: work.t276,
+            position: work.t342,
+            speed: work.t343,
+            slope: work.t344,
             coasted: ::deadbeat::math::u32_from_index(work.t032),
-            status: work.t284,
+            status: work.t352,
         }
     }
 
@@ -318,11 +330,11 @@ impl Observer {
         let t000 = self.newest;
         let t001 = t000.min(40);
         let t002 = measurements.camera;
-        let t003 = (-1e25..=1e25).contains(&t002);
+        let t003 = (-1e30..=1e30).contains(&t002);
         let t004 = measurements.wheel;
-        let t005 = (-1e25..=1e25).contains(&t004);
+        let t005 = (-1e30..=1e30).contains(&t004);
         let t006 = inputs.force;
-        let t007 = (-1e25..=1e25).contains(&t006);
+        let t007 = (-1e30..=1e30).contains(&t006);
         let t008 = self.force[t001];
         let t009 = if t007 { t006 } else { t008 };
         work.t010 = if t001 < 40 { t001 + 1 } else { 0 };
@@ -377,259 +389,321 @@ impl Observer {
         // rows of the window, oldest first; those without a sample count nothing
         work.t047 = if work.t010 < 40 { work.t010 + 1 } else { 0 };
         let t053 = self.has_camera[work.t047.min(40)];
-        let t054 = self.camera[work.t047.min(40)];
-        let t055 = t054 - 0.0;
-        let t057 = 200.0 * t055;
-        let t058 = t053 * 0.160_128_15;
-        let t059 = t053 * -0.114_321_806;
-        let t060 = t053 * 0.059_323_51;
-        let t061 = t058 * t058;
-        let t062 = 0.0 + t061;
-        let t063 = t058 * t059;
-        let t064 = 0.0 + t063;
-        let t065 = t058 * t060;
-        let t066 = 0.0 + t065;
-        let t067 = t059 * t059;
-        let t068 = 0.0 + t067;
-        let t069 = t059 * t060;
-        let t070 = 0.0 + t069;
-        let t071 = t060 * t060;
-        let t072 = 0.0 + t071;
-        let t073 = t058 * t057;
-        let t074 = 0.0 + t073;
-        let t075 = t059 * t057;
-        let t076 = 0.0 + t075;
-        let t077 = t060 * t057;
-        let t078 = 0.0 + t077;
-        let t079 = self.has_wheel[work.t047.min(40)];
-        let t080 = self.wheel[work.t047.min(40)];
-        let t081 = t080 - 0.0;
-        let t083 = 50.0 * t081;
-        let t084 = t079 * 0.0;
-        let t085 = t079 * 0.166_255_16;
-        let t086 = t079 * -0.257_862_2;
-        let t087 = t084 * t084;
-        work.t088 = t062 + t087;
-        let t089 = t084 * t085;
-        work.t090 = t064 + t089;
-        let t091 = t084 * t086;
-        work.t092 = t066 + t091;
-        let t093 = t085 * t085;
-        work.t094 = t068 + t093;
-        let t095 = t085 * t086;
-        work.t096 = t070 + t095;
-        let t097 = t086 * t086;
-        work.t098 = t072 + t097;
-        let t099 = t084 * t083;
-        work.t100 = t074 + t099;
-        let t101 = t085 * t083;
-        work.t102 = t076 + t101;
-        let t103 = t086 * t083;
-        work.t104 = t078 + t103;
+        let t054 = 0.0 + t053;
+        let t055 = self.camera[work.t047.min(40)];
+        let t056 = t055 - 0.0;
+        let t058 = 200.0 * t056;
+        let t059 = t053 * 0.160_128_15;
+        let t060 = t053 * -0.114_321_806;
+        let t061 = t053 * 0.059_323_51;
+        let t062 = t059 * t059;
+        let t063 = 0.0 + t062;
+        let t064 = t059 * t060;
+        let t065 = 0.0 + t064;
+        let t066 = t059 * t061;
+        let t067 = 0.0 + t066;
+        let t068 = t060 * t060;
+        let t069 = 0.0 + t068;
+        let t070 = t060 * t061;
+        let t071 = 0.0 + t070;
+        let t072 = t061 * t061;
+        let t073 = 0.0 + t072;
+        let t074 = t059 * t058;
+        let t075 = 0.0 + t074;
+        let t076 = t060 * t058;
+        let t077 = 0.0 + t076;
+        let t078 = t061 * t058;
+        let t079 = 0.0 + t078;
+        let t080 = self.has_wheel[work.t047.min(40)];
+        work.t081 = t054 + t080;
+        let t082 = self.wheel[work.t047.min(40)];
+        let t083 = t082 - 0.0;
+        let t085 = 50.0 * t083;
+        let t086 = t080 * 0.0;
+        let t087 = t080 * 0.166_255_16;
+        let t088 = t080 * -0.257_862_2;
+        let t089 = t086 * t086;
+        work.t090 = t063 + t089;
+        let t091 = t086 * t087;
+        work.t092 = t065 + t091;
+        let t093 = t086 * t088;
+        work.t094 = t067 + t093;
+        let t095 = t087 * t087;
+        work.t096 = t069 + t095;
+        let t097 = t087 * t088;
+        work.t098 = t071 + t097;
+        let t099 = t088 * t088;
+        work.t100 = t073 + t099;
+        let t101 = t086 * t085;
+        work.t102 = t075 + t101;
+        let t103 = t087 * t085;
+        work.t104 = t077 + t103;
+        let t105 = t088 * t085;
+        work.t106 = t079 + t105;
     }
 
     /// Part 3 of a step, for one row of `ROWS`.
     fn part_3(&self, work: &mut Work, gains: [f32; 6]) {
-        work.t118 = if work.t117 < 40 { work.t117 + 1 } else { 0 };
-        let t119 = self.force[work.t118.min(40)];
-        let t121 = 0.009_960_107 * work.t115;
-        let t123 = 4.986_693_2e-5 * work.t116;
-        let t124 = work.t114 + t121;
-        let t125 = t124 + t123;
-        let t126 = 1.994_677_4e-5 * t119;
-        work.t127 = t125 + t126;
-        let t129 = 0.992_031_93 * work.t115;
-        let t130 = 0.009_960_107 * work.t116;
-        let t131 = t129 + t130;
-        let t132 = 0.003_984_042_4 * t119;
-        work.t133 = t131 + t132;
-        let t134 = gains[0];
-        let t135 = gains[1];
-        let t136 = gains[2];
-        let t137 = gains[3];
-        let t138 = gains[4];
-        let t139 = gains[5];
-        let t140 = self.has_camera[work.t118.min(40)];
-        let t141 = self.camera[work.t118.min(40)];
-        let t142 = t141 - work.t127;
-        let t143 = 200.0 * t142;
-        let t144 = t140 * t134;
-        let t145 = t140 * t135;
-        let t146 = t140 * t136;
-        let t147 = t144 * t144;
-        let t148 = work.t105 + t147;
-        let t149 = t144 * t145;
-        let t150 = work.t106 + t149;
-        let t151 = t144 * t146;
+        work.t121 = if work.t120 < 40 { work.t120 + 1 } else { 0 };
+        let t122 = self.force[work.t121.min(40)];
+        let t124 = 0.009_960_107 * work.t117;
+        let t126 = 4.986_693_2e-5 * work.t118;
+        let t127 = work.t116 + t124;
+        let t128 = t127 + t126;
+        let t129 = 1.994_677_4e-5 * t122;
+        work.t130 = t128 + t129;
+        let t132 = 0.992_031_93 * work.t117;
+        let t133 = 0.009_960_107 * work.t118;
+        let t134 = t132 + t133;
+        let t135 = 0.003_984_042_4 * t122;
+        work.t136 = t134 + t135;
+        let t137 = gains[0];
+        let t138 = gains[1];
+        let t139 = gains[2];
+        let t140 = gains[3];
+        let t141 = gains[4];
+        let t142 = gains[5];
+        let t143 = self.has_camera[work.t121.min(40)];
+        let t144 = work.t119 + t143;
+        let t145 = self.camera[work.t121.min(40)];
+        let t146 = t145 - work.t130;
+        let t147 = 200.0 * t146;
+        let t148 = t143 * t137;
+        let t149 = t143 * t138;
+        let t150 = t143 * t139;
+        let t151 = t148 * t148;
         let t152 = work.t107 + t151;
-        let t153 = t145 * t145;
+        let t153 = t148 * t149;
         let t154 = work.t108 + t153;
-        let t155 = t145 * t146;
+        let t155 = t148 * t150;
         let t156 = work.t109 + t155;
-        let t157 = t146 * t146;
+        let t157 = t149 * t149;
         let t158 = work.t110 + t157;
-        let t159 = t144 * t143;
+        let t159 = t149 * t150;
         let t160 = work.t111 + t159;
-        let t161 = t145 * t143;
+        let t161 = t150 * t150;
         let t162 = work.t112 + t161;
-        let t163 = t146 * t143;
+        let t163 = t148 * t147;
         let t164 = work.t113 + t163;
-        let t165 = self.has_wheel[work.t118.min(40)];
-        let t166 = self.wheel[work.t118.min(40)];
-        let t167 = t166 - work.t133;
-        let t168 = 50.0 * t167;
-        let t169 = t165 * t137;
-        let t170 = t165 * t138;
-        let t171 = t165 * t139;
-        let t172 = t169 * t169;
-        work.t173 = t148 + t172;
-        let t174 = t169 * t170;
-        work.t175 = t150 + t174;
-        let t176 = t169 * t171;
-        work.t177 = t152 + t176;
-        let t178 = t170 * t170;
-        work.t179 = t154 + t178;
-        let t180 = t170 * t171;
-        work.t181 = t156 + t180;
-        let t182 = t171 * t171;
-        work.t183 = t158 + t182;
-        let t184 = t169 * t168;
-        work.t185 = t160 + t184;
-        let t186 = t170 * t168;
-        work.t187 = t162 + t186;
-        let t188 = t171 * t168;
-        work.t189 = t164 + t188;
-        work.t190 = work.t116 - 0.0;
+        let t165 = t149 * t147;
+        let t166 = work.t114 + t165;
+        let t167 = t150 * t147;
+        let t168 = work.t115 + t167;
+        let t169 = self.has_wheel[work.t121.min(40)];
+        work.t170 = t144 + t169;
+        let t171 = self.wheel[work.t121.min(40)];
+        let t172 = t171 - work.t136;
+        let t173 = 50.0 * t172;
+        let t174 = t169 * t140;
+        let t175 = t169 * t141;
+        let t176 = t169 * t142;
+        let t177 = t174 * t174;
+        work.t178 = t152 + t177;
+        let t179 = t174 * t175;
+        work.t180 = t154 + t179;
+        let t181 = t174 * t176;
+        work.t182 = t156 + t181;
+        let t183 = t175 * t175;
+        work.t184 = t158 + t183;
+        let t185 = t175 * t176;
+        work.t186 = t160 + t185;
+        let t187 = t176 * t176;
+        work.t188 = t162 + t187;
+        let t189 = t174 * t173;
+        work.t190 = t164 + t189;
+        let t191 = t175 * t173;
+        work.t192 = t166 + t191;
+        let t193 = t176 * t173;
+        work.t194 = t168 + t193;
+        work.t195 = work.t118 - 0.0;
     }
 
     /// Part 4 of a step.
     fn part_4(&self, work: &mut Work) {
-        work.t105 = work.t088;
-        work.t106 = work.t090;
-        work.t107 = work.t092;
-        work.t108 = work.t094;
-        work.t109 = work.t096;
-        work.t110 = work.t098;
-        work.t111 = work.t100;
-        work.t112 = work.t102;
-        work.t113 = work.t104;
-        work.t114 = 0.0;
-        work.t115 = 0.0;
+        work.t107 = work.t090;
+        work.t108 = work.t092;
+        work.t109 = work.t094;
+        work.t110 = work.t096;
+        work.t111 = work.t098;
+        work.t112 = work.t100;
+        work.t113 = work.t102;
+        work.t114 = work.t104;
+        work.t115 = work.t106;
         work.t116 = 0.0;
-        work.t117 = work.t047;
+        work.t117 = 0.0;
+        work.t118 = 0.0;
+        work.t119 = work.t081;
+        work.t120 = work.t047;
         for gains in &ROWS {
             self.part_3(work, *gains);
-            work.t105 = work.t173;
-            work.t106 = work.t175;
-            work.t107 = work.t177;
-            work.t108 = work.t179;
-            work.t109 = work.t181;
-            work.t110 = work.t183;
-            work.t111 = work.t185;
-            work.t112 = work.t187;
-            work.t113 = work.t189;
-            work.t114 = work.t127;
-            work.t115 = work.t133;
-            work.t116 = work.t190;
-            work.t117 = work.t118;
+            work.t107 = work.t178;
+            work.t108 = work.t180;
+            work.t109 = work.t182;
+            work.t110 = work.t184;
+            work.t111 = work.t186;
+            work.t112 = work.t188;
+            work.t113 = work.t190;
+            work.t114 = work.t192;
+            work.t115 = work.t194;
+            work.t116 = work.t130;
+            work.t117 = work.t136;
+            work.t118 = work.t195;
+            work.t119 = work.t170;
+            work.t120 = work.t121;
         }
     }
 
     /// Part 5 of a step.
-    fn part_5(&mut self, work: &mut Work) {
-        // the window's start from the samples that are there
-        let t192 = 0.002_804_487_2 < work.t105;
-        let t193 = if t192 { work.t105 } else { 1.0 };
-        let t194 = work.t106 / t193;
-        let t195 = t194 * work.t106;
-        let t196 = work.t108 - t195;
-        let t197 = t194 * work.t107;
-        let t198 = work.t109 - t197;
-        let t199 = t194 * work.t111;
-        let t200 = work.t112 - t199;
-        let t201 = work.t107 / t193;
-        let t202 = t201 * work.t107;
-        let t203 = work.t110 - t202;
-        let t204 = t201 * work.t111;
-        let t205 = work.t113 - t204;
-        let t206 = 0.002_804_487_2 < t196;
-        let t207 = t192 && t206;
-        let t208 = if t206 { t196 } else { 1.0 };
-        let t209 = t198 / t208;
-        let t210 = t209 * t198;
-        let t211 = t203 - t210;
-        let t212 = t209 * t200;
-        let t213 = t205 - t212;
-        let t214 = 0.002_804_487_2 < t211;
-        work.flags[1] = t207 && t214;
-        let t216 = if t214 { t211 } else { 1.0 };
-        let t217 = t213 / t216;
-        let t218 = t198 * t217;
-        let t219 = t200 - t218;
-        let t220 = t219 / t208;
-        let t221 = work.t106 * t220;
-        let t222 = work.t111 - t221;
-        let t223 = work.t107 * t217;
-        let t224 = t222 - t223;
-        let t225 = t224 / t193;
-        let t227 = 0.000_800_640_8 * t225;
-        let t229 = 0.000_566_619_4 * t220;
-        let t231 = 0.000_412_186_8 * t217;
-        let t232 = t227 + t229;
-        let t233 = t232 + t231;
-        let t234 = t233 + work.t114;
-        let t236 = 0.002_414_520_6 * t220;
-        let t238 = 0.005_184_471_6 * t217;
-        let t239 = t236 + t238;
-        let t240 = t239 + work.t115;
-        let t242 = 0.026_085_427 * t217;
-        let t243 = t242 + work.t116;
+    fn part_5(work: &mut Work) {
+        // the state from the samples that are there, and its variance
+        let t204 = 0.0001 * work.t107;
+        let t205 = t204 + 9.860_761_3e-32;
+        let t206 = 0.0001 * work.t110;
+        let t207 = t206 + 9.860_761_3e-32;
+        let t208 = 0.0001 * work.t112;
+        let t209 = t208 + 9.860_761_3e-32;
+        let t210 = t205 < work.t107;
+        let t211 = if t210 { work.t107 } else { 1.0 };
+        let t212 = work.t108 / t211;
+        let t213 = work.t109 / t211;
+        let t214 = t212 * work.t108;
+        let t215 = work.t110 - t214;
+        let t216 = t212 * work.t109;
+        let t217 = work.t111 - t216;
+        let t218 = t212 * work.t113;
+        let t219 = work.t114 - t218;
+        let t220 = t213 * work.t109;
+        let t221 = work.t112 - t220;
+        let t222 = t213 * work.t113;
+        let t223 = work.t115 - t222;
+        let t224 = work.t113 / t211;
+        let t225 = t212 * 0.051_241_01;
+        let t226 = 0.036_263_64 - t225;
+        let t227 = t213 * 0.051_241_01;
+        let t228 = 0.026_379_956 - t227;
+        let t229 = 0.051_241_01 * t224;
+        let t230 = 0.051_241_01 / t211;
+        let t231 = 0.051_241_01 * t230;
+        let t232 = t207 < t215;
+        let t233 = t210 && t232;
+        let t234 = if t232 { t215 } else { 1.0 };
+        let t235 = t217 / t234;
+        let t236 = t235 * t217;
+        let t237 = t221 - t236;
+        let t238 = t235 * t219;
+        let t239 = t223 - t238;
+        let t240 = t219 / t234;
+        let t241 = t235 * t226;
+        let t242 = t228 - t241;
+        let t243 = t226 * t240;
+        let t244 = t229 + t243;
+        let t245 = t226 / t234;
+        let t246 = t226 * t245;
+        let t247 = t231 + t246;
+        let t248 = t235 * 0.038_632_33;
+        let t249 = 0.082_951_546 - t248;
+        let t250 = 0.038_632_33 * t240;
+        let t251 = 0.038_632_33 / t234;
+        let t252 = 0.038_632_33 * t251;
+        let t253 = t209 < t237;
+        let t254 = t233 && t253;
+        let t255 = if t253 { t237 } else { 1.0 };
+        let t256 = t239 / t255;
+        let t257 = t242 * t256;
+        let t258 = t244 + t257;
+        let t259 = t242 / t255;
+        let t260 = t242 * t259;
+        let t261 = t247 + t260;
+        let t262 = t249 * t256;
+        let t263 = t250 + t262;
+        let t264 = t249 / t255;
+        let t265 = t249 * t264;
+        let t266 = t252 + t265;
+        let t267 = 0.104_341_71 * t256;
+        let t268 = 0.104_341_71 / t255;
+        let t269 = 0.104_341_71 * t268;
+        let t271 = 0.015_625 * t258;
+        let t273 = 0.0625 * t263;
+        let t275 = 0.25 * t267;
 
-        // without enough samples, the model's prediction
-        let t244 = self.known;
-        let t245 = t244 == 1;
-        let t246 = (-1e25..=1e25).contains(&work.t014);
-        let t247 = t245 && t246;
-        work.t248 = if work.flags[1] { t234 } else { work.t014 };
-        let t249 = (-1e25..=1e25).contains(&work.t018);
-        let t250 = t247 && t249;
-        work.t251 = if work.flags[1] { t240 } else { work.t018 };
-        let t252 = (-1e25..=1e25).contains(&work.t019);
-        let t253 = t250 && t252;
-        work.t254 = if work.flags[1] { t243 } else { work.t019 };
-        let t255 = work.flags[1] || t253;
-        work.flags[2] = work.flags[0] && t255;
-        let t257 = usize::from(work.flags[2]);
-        self.known = t257;
-        let t259 = 0.009_960_107 * work.t251;
-        let t261 = 4.986_693_2e-5 * work.t254;
-        let t262 = work.t248 + t259;
-        let t263 = t262 + t261;
-        let t264 = (-1e25..=1e25).contains(&t263);
-        let t265 = if t264 { t263 } else { 0.0 };
-        self.next_position = t265;
-        let t267 = 0.992_031_93 * work.t251;
-        let t268 = 0.009_960_107 * work.t254;
-        let t269 = t267 + t268;
-        let t270 = (-1e25..=1e25).contains(&t269);
-        let t271 = if t270 { t269 } else { 0.0 };
-        self.next_speed = t271;
-        let t272 = (-1e25..=1e25).contains(&work.t254);
-        let t273 = if t272 { work.t254 } else { 0.0 };
-        self.next_slope = t273;
+        // what it is worth
+        let t277 = t261 * 0.545_068_9;
+        let t278 = 0.0 < t277;
+        let t279 = if t278 { t277 } else { 0.0 };
+        let t281 = t266 * 0.886_911_45;
+        let t282 = t279 < t281;
+        let t283 = if t282 { t281 } else { t279 };
+        let t285 = t269 * 0.676_551_34;
+        let t286 = t283 < t285;
+        let t287 = if t286 { t285 } else { t283 };
+        let t290 = t287 <= 1.322_135_8e8;
+        work.flags[1] = t254 && t290;
+        let t292 = t287 <= 132.2136;
+        work.flags[2] = work.flags[1] && t292;
+        let t294 = work.t119 + 0.0;
+        let t295 = t287 * t294;
+        let t296 = t295 <= 1.0;
+        work.flags[3] = work.flags[2] && t296;
+        work.flags[4] = 0.0 < work.t119;
+        work.t299 = t271 + work.t116;
+        work.t300 = t273 + work.t117;
+        work.t301 = t275 + work.t118;
     }
 
     /// Part 6 of a step.
-    fn part_6(&self, work: &mut Work) {
+    fn part_6(&mut self, work: &mut Work) {
+        // without enough samples, the model's prediction
+        let t302 = self.known;
+        let t303 = t302 == 1;
+        let t304 = (-1e30..=1e30).contains(&work.t014);
+        let t305 = t303 && t304;
+        let t306 = (-1e30..=1e30).contains(&work.t018);
+        let t307 = t305 && t306;
+        let t308 = (-1e30..=1e30).contains(&work.t019);
+        let t309 = t307 && t308;
+        let t310 = self.poor;
+        let t311 = if t310 < 123 { t310 + 1 } else { 123 };
+        let t312 = if work.flags[4] { t311 } else { t310 };
+        let t313 = if work.flags[2] { 0 } else { t312 };
+        self.poor = t313;
+        let t315 = t313 < 123;
+        let t316 = t315 && t309;
+        let t317 = !t316;
+        let t318 = work.flags[2] || t317;
+        let t319 = work.flags[1] && t318;
+        let t320 = if t319 { work.t299 } else { work.t014 };
+        let t321 = if t319 { work.t300 } else { work.t018 };
+        let t322 = if t319 { work.t301 } else { work.t019 };
+        let t323 = t319 || t309;
+        let t324 = work.flags[0] && t323;
+        let t325 = usize::from(t324);
+        self.known = t325;
+        let t327 = 0.009_960_107 * t321;
+        let t329 = 4.986_693_2e-5 * t322;
+        let t330 = t320 + t327;
+        let t331 = t330 + t329;
+        let t332 = (-1e30..=1e30).contains(&t331);
+        let t333 = if t332 { t331 } else { 0.0 };
+        self.next_position = t333;
+        let t335 = 0.992_031_93 * t321;
+        let t336 = 0.009_960_107 * t322;
+        let t337 = t335 + t336;
+        let t338 = (-1e30..=1e30).contains(&t337);
+        let t339 = if t338 { t337 } else { 0.0 };
+        self.next_speed = t339;
+        let t340 = (-1e30..=1e30).contains(&t322);
+        let t341 = if t340 { t322 } else { 0.0 };
+        self.next_slope = t341;
+
         // the estimate; until there is one, the start
-        work.t274 = if work.flags[2] { work.t248 } else { 0.0 };
-        work.t275 = if work.flags[2] { work.t251 } else { work.t027 };
-        work.t276 = if work.flags[2] { work.t254 } else { 0.0 };
-        let t277 = self.coasting;
-        let t278 = t277 == 0;
-        let t279 = work.flags[1] && t278;
-        let t283 = if t279 { Status::Converged } else { Status::Coasting };
-        work.t284 = if work.flags[2] { t283 } else { Status::Converging };
+        work.t342 = if t324 { t320 } else { 0.0 };
+        work.t343 = if t324 { t321 } else { work.t027 };
+        work.t344 = if t324 { t322 } else { 0.0 };
+        let t345 = self.coasting;
+        let t346 = t345 == 0;
+        let t347 = work.flags[3] && t346;
+        let t351 = if t347 { Status::Converged } else { Status::Coasting };
+        work.t352 = if t324 { t351 } else { Status::Converging };
     }
 }
 const _: f32 = SAMPLE_TIME;

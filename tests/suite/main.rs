@@ -53,6 +53,8 @@ mod sensors {
     mod init_at;
     mod irregular;
     mod left_out;
+    mod losses;
+    mod lost;
     mod missing;
     mod rates;
     mod several_rates;

@@ -50,7 +50,7 @@ impl Errors<'_> {
             disturbance_gain_l1,
             error_bound,
             initial_gain: rows(&remaining.by_state),
-            rounding: Vec::new(),
+            ..Certificate::default()
         }
     }
 

@@ -4,12 +4,15 @@
 //! the estimate is exact as soon as the rows that are there determine the state: in finite time and without a
 //! condition on gaps such as that of 000 Theorem 2. The price is a small solve in the step. With `O = Q R`, the rows
 //! of Q as the constants, the normal equations of all rows are the unit matrix, and those of some rows stay close to
-//! it: single precision suffices.
+//! it: single precision suffices. Those of a sensor with much noise, alone, are small throughout; what they determine is
+//! judged by shares of their diagonal ([`Worth`]).
 
 mod age;
 mod certify;
+mod equations;
 mod pattern;
 mod size;
+mod worth;
 
 use crate::diagnostic::{Diagnostic, codes};
 use crate::plant::Plant;
@@ -20,7 +23,9 @@ use crate::sampled::settled::Settled;
 use age::ExactAges;
 pub use age::{Ages, degree};
 pub use certify::certify;
+pub use equations::{Eliminated, There};
 pub use pattern::Pattern;
+pub use worth::Worth;
 
 use super::solve::trusted;
 use crate::sampled::Signal;
@@ -54,8 +59,8 @@ pub struct Irregular {
     pub pattern: Pattern,
     /// The smallest pivot with these, at the worst phase.
     pub pivot: f64,
-    /// The smallest pivot that is trusted.
-    pub threshold: f64,
+    /// Up to where an estimate counts.
+    pub worth: Worth,
     /// Per output: what a sample with an age shows.
     pub ages: Vec<Option<Ages>>,
     /// By age from N to 0: `Phi^(N - age) R^-1`, n x n; where samples come with their ages.
@@ -112,10 +117,8 @@ pub fn design(plant: &Plant, signals: &[Signal], steps: usize, pattern: Pattern)
     let round = |pass: &mut Pass, coarse: &Exact, fine: &Exact| rounded(pass, coarse, fine, plant.outputs.len());
     let (irregular, exact, _) = rising(plant, run, round, |_| 0.0)?;
     let trust = exact.model.trust.iter().map(Settled::round).collect();
-    let pivot = smallest_pivot(&irregular.rows, &pattern);
-    // Below the limit a pivot is rounding; irregular patterns are a little worse than the worst regular one.
-    let threshold = limit(plant).max(pivot / 64.0);
-    Ok(Irregular { trust, pattern, pivot, threshold, ..irregular })
+    let irregular = Irregular { trust, pattern, ..irregular };
+    Ok(Irregular { pivot: smallest_pivot(&irregular), ..irregular })
 }
 
 /// `Phi^j R^-1` for j = 0 … N.
@@ -199,37 +202,15 @@ fn rounded(pass: &mut Pass, coarse: &Exact, fine: &Exact, outputs: usize) -> Irr
     let constant = sparse(&c.constant.transpose(), &f.constant.transpose()).remove(0);
     let pattern = Pattern::together(outputs, 1);
     let trust = Vec::new();
-    let (pivot, threshold) = (0.0, 0.0);
-    Irregular { rows, through, phi, c: seen, begin, end, constant, trust, pattern, pivot, threshold, ages, states }
+    let (pivot, worth) = (0.0, Worth::default());
+    Irregular { rows, through, phi, c: seen, begin, end, constant, trust, pattern, pivot, worth, ages, states }
 }
 
-/// The smallest pivot of the normal equations with the samples of a pattern, at the worst call.
-fn smallest_pivot(rows: &[Vec<Vec<Settled>>], pattern: &Pattern) -> f64 {
-    let (n, steps) = (rows[0][0].len(), rows.len() - 1);
-    let mut smallest = f64::INFINITY;
-    for phase in pattern.phases() {
-        let mut normal = vec![vec![0.0; n]; n];
-        for (place, outputs) in rows.iter().enumerate() {
-            for (_, row) in outputs.iter().enumerate().filter(|(o, _)| pattern.there(phase, steps - place, *o)) {
-                for i in 0..n {
-                    for j in 0..n {
-                        normal[i][j] += row[i].double * row[j].double;
-                    }
-                }
-            }
-        }
-        for k in 0..n {
-            let pivot = normal[k][k];
-            smallest = f64::min(smallest, pivot);
-            if pivot <= 0.0 {
-                return 0.0;
-            }
-            let row = normal[k].clone();
-            for below in &mut normal[k + 1..] {
-                let factor = below[k] / pivot;
-                below.iter_mut().zip(&row).for_each(|(x, above)| *x -= factor * above);
-            }
-        }
-    }
-    smallest
+/// The smallest pivot of the normal equations with the samples of the pattern, at the worst call.
+fn smallest_pivot(irregular: &Irregular) -> f64 {
+    let of_phase = |phase: usize| {
+        let at = |age: usize, o: usize| irregular.pattern.there(phase, age, o);
+        irregular.eliminated(&There { at: &at, share: &|_| 0.0 }).map_or(0.0, |it| it.pivot)
+    };
+    irregular.pattern.phases().map(of_phase).fold(f64::INFINITY, f64::min)
 }

@@ -128,7 +128,7 @@ impl<'a> Lowering<'a> {
             let full = self.counted(count, self.window());
             let answer = self.irregular(irregular, &sampled, full);
             self.builder.section("the estimate; until there is one, the start");
-            let (known, renewed) = (answer.usable, Some(answer.enough));
+            let (known, renewed) = (answer.usable, Some(answer.close));
             self.end_given(known);
             self.report(&answer.estimate, &sampled, &Standing { known, determined: known, renewed });
             return;

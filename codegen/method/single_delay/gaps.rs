@@ -217,7 +217,8 @@ impl Intermittent {
         let (mut functional, exact, mut numerics) = settle(plant, signals, &delays, steps, &Choice::LeastSquares)?;
         numerics.condition = condition;
         let pattern = Pattern::together(plant.outputs.len(), most);
-        let irregular = irregular::design(plant, signals, steps, pattern)?;
+        let mut irregular = irregular::design(plant, signals, steps, pattern)?;
+        irregular.judge(plant, &functional, &exact, true);
         let rounding = irregular::unit(plant.scalar) * irregular.amplification();
         let certificate = irregular::certify(plant, &functional, &irregular, &exact);
         let refuse = |message: &str, label: String, number: f64, help: &str| {
@@ -233,7 +234,7 @@ impl Intermittent {
                 "a longer window, or measure more often",
             ));
         };
-        if irregular.pivot < 16.0 * irregular.threshold || rounding > LARGEST_ROUNDING {
+        if irregular.pivot < 16.0 * irregular::limit(plant) || rounding > LARGEST_ROUNDING {
             let message = "a motion of the plant dies out between two measurements";
             let label = format!(
                 "smallest pivot {} with one every {most} samples, round-off {} of the samples in {}",
@@ -246,6 +247,7 @@ impl Intermittent {
         }
         // Patterns within the declared gaps may cost more than regular ones, so that these bound nothing.
         certificate.error_bound = vec![None; plant.states.len()];
+        certificate.error_bound_without.iter_mut().flatten().for_each(|bounds| bounds.fill(None));
         functional.irregular = Some(irregular);
         functional.gaps = Some(Gaps { most, settled: steps + 1 });
         let h = plant.sample_time_s();

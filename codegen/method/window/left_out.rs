@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use super::{Keys, METHOD, Weighting, constants, fir, resolution_warnings, time_warning};
+use super::{Keys, METHOD, VERDICT_BITS, Weighting, constants, fir, resolution_warnings, several, time_warning};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::estimator::Design;
 use crate::estimator::window::irregular::{self, Irregular, Pattern, certify};
@@ -13,8 +13,10 @@ use crate::estimator::window::solve::Choice;
 use crate::numbers::{count, seconds, short, trimmed};
 use crate::plant::Plant;
 use crate::promise::Convergence;
+use crate::real::Precision;
 use crate::sampled::Signal;
-use crate::sampled::model::Between;
+use crate::sampled::model::{Between, Model, signals_between};
+use crate::step::injections::needed;
 
 /// What becomes of a missing sample.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,12 +32,46 @@ pub(super) const WORDS: [(&str, Missing); 2] = [("predicted", Missing::Predicted
 
 /// The most operations of a step: 10 ms of a processor that does forty million a second.
 const MOST_OPERATIONS: usize = 400_000;
+/// The most of one that nobody asked for: half a millisecond of it.
+const MOST_BY_DEFAULT: usize = 20_000;
 
 impl Keys {
-    /// Whether the step solves for the rows that are there: asked for, or the only way.
+    /// Whether the step solves for the rows that are there: asked for, the only way, or the better one.
     pub(super) fn leaves_out(&self, plant: &Plant) -> bool {
         let irregular = plant.outputs.iter().any(|output| output.every > 1 || output.aged.is_some());
-        irregular || self.missing.0 == Some(Missing::LeftOut)
+        irregular || self.missing.0 == Some(Missing::LeftOut) || !self.spared(plant).is_empty()
+    }
+
+    /// Outputs that the plant can lose, where leaving samples out is for the method to decide: the others show the state,
+    /// and no nonlinear term needs it.
+    pub(super) fn spared(&self, plant: &Plant) -> Vec<usize> {
+        if !self.may_leave_out(plant) {
+            return Vec::new();
+        }
+        let (steps, delays) =
+            (several::steps(plant, &self.windows, &mut Vec::new()), super::delays(plant, &mut Vec::new()));
+        let model = Model::new(plant, &[], Precision::bits(VERDICT_BITS));
+        let (Some(steps), Some(delays), Ok(model)) = (steps, delays, model) else { return Vec::new() };
+        let row = irregular::operations(plant.states.len(), delays.len(), signals_between(plant, Between::Lines).len());
+        if (steps[0] + 1) * row > MOST_BY_DEFAULT {
+            return Vec::new();
+        }
+        let pattern = Pattern::new(vec![1; delays.len()], delays);
+        let spared = |o: &usize| !needed(plant, *o) && pattern.shown(&model, steps[0], Some(*o)) == plant.states.len();
+        (0..plant.outputs.len()).filter(spared).collect()
+    }
+
+    /// Whether nothing is asked for that speaks for or against leaving samples out, and nothing is there that a solve
+    /// cannot take.
+    fn may_leave_out(&self, plant: &Plant) -> bool {
+        let fits = |output: &crate::plant::Output| {
+            let regular = output.every == 1 && output.aged.is_none();
+            let narrow = output.counter.is_none_or(|counter| counter.bits == 16);
+            regular && narrow && (output.gate.is_none() || output.delay.is_none())
+        };
+        let undecided = self.missing.0.is_none() && self.windows.len() == 1 && !self.fixed;
+        let taken = plant.states.iter().any(|state| state.label.name == "coasted");
+        undecided && !taken && plant.outputs.len() > 1 && plant.unknowns.is_empty() && plant.outputs.iter().all(fits)
     }
 
     /// The plant with an estimate that says how old the newest sample is.
@@ -66,7 +102,8 @@ impl Keys {
         let delays = pattern.delays().to_vec();
         let (mut functional, exact, mut numerics) = settle(plant, signals, &delays, steps, &Choice::LeastSquares)?;
         numerics.condition = condition;
-        let irregular = irregular::design(plant, signals, steps, pattern)?;
+        let mut irregular = irregular::design(plant, signals, steps, pattern)?;
+        irregular.judge(plant, &functional, &exact, false);
         let certified = certify(plant, &functional, &irregular, &exact);
         let certified = certified.filter(|_| irregular.pivot >= 16.0 * irregular::limit(plant));
         let Some((mut certificate, phases)) = certified else {
@@ -76,10 +113,12 @@ impl Keys {
         if aged {
             // Other times of samples may cost more.
             certificate.error_bound = vec![None; plant.states.len()];
+            certificate.error_bound_without.iter_mut().flatten().for_each(|bounds| bounds.fill(None));
         }
         let phases = if phases.len() > 1 { phases } else { Vec::new() };
         let regular = phases.is_empty();
-        let notes = notes(&irregular, phases.len(), steps);
+        let mut notes = notes(&irregular, phases.len(), steps);
+        notes.extend(spared_note(plant, &self.spared(plant)));
         functional.irregular = Some(irregular);
         let h = plant.sample_time_s();
         let window = trimmed(seconds(steps, h));
@@ -133,6 +172,14 @@ impl Keys {
     }
 }
 
+/// Why samples are left out where nobody asked for it.
+fn spared_note(plant: &Plant, spared: &[usize]) -> Option<String> {
+    let names: Vec<&str> = spared.iter().map(|o| plant.outputs[*o].label.name.as_str()).collect();
+    let names = names.join(" or ");
+    let why = "samples are left out as the state is shown without";
+    (!spared.is_empty()).then(|| format!("{why} {names}; `missing = \"predicted\"` costs less and needs every output"))
+}
+
 /// Refuses a step that does more than a small processor can.
 fn refuse_work(plant: &Plant, signals: usize, steps: usize, window: &Range<usize>) -> Result<(), Vec<Diagnostic>> {
     let (n, rows) = (plant.states.len(), steps + 1);
@@ -169,7 +216,10 @@ fn notes(irregular: &Irregular, period: usize, steps: usize) -> Vec<String> {
     let mut notes = vec![
         "a missing sample is left out: with fewer samples the gains are larger, without noise the estimate is as exact"
             .to_owned(),
-        "where those that are there do not determine the state, the model's prediction stands in (COASTING)".to_owned(),
+        "CONVERGED while the bound with samples lost holds; beyond it COASTING: the estimate of the samples that are there,"
+            .to_owned(),
+        "or, where they do not determine the state or hardly do, the model's prediction, the latter for three windows at most"
+            .to_owned(),
     ];
     if irregular.ages.iter().any(Option::is_some) {
         notes.push("each sample counts at its own time; the gains are of samples of age 0".to_owned());

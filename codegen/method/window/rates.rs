@@ -31,7 +31,7 @@ pub(super) fn pattern(
     if period > 1 {
         let model = Model::new(plant, &[], Precision::bits(VERDICT_BITS))?;
         let n = plant.states.len();
-        let shown = pattern.shown(&model, steps);
+        let shown = pattern.shown(&model, steps, None);
         if shown < n {
             // Beyond this a phase has shown whatever it shows.
             let longest = (n + 1) * period + latest;
@@ -68,7 +68,7 @@ fn too_few(
     let error = Diagnostic::error(codes::WINDOW_TOO_SHORT, window.clone(), message)
         .label(format!("{shown} of {n} states at the worst of {} calls", pattern.period().unwrap_or(1)))
         .measured(count(shown));
-    let enough = |steps: usize| pattern.shown(model, steps) == n;
+    let enough = |steps: usize| pattern.shown(model, steps, None) == n;
     if longest <= steps || !enough(longest) {
         return error.help("another rate: the samples come in step with a motion of the plant, whatever the window");
     }

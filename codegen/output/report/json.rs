@@ -95,14 +95,22 @@ fn all(generated: &Generated) -> Value {
 }
 
 fn promised(certificate: &Certificate) -> Value {
-    json!({
+    let mut all = json!({
         "noise_gain_l1": certificate.noise_gain_l1,
         "noise_gain_l2": certificate.noise_gain_l2,
         "disturbance_gain_l1": certificate.disturbance_gain_l1,
         "error_bound": certificate.error_bound,
         "initial_gain": certificate.initial_gain,
         "rounding": certificate.rounding,
-    })
+    });
+    // Where samples are left out; without an output, null where the others do not determine the state.
+    if !certificate.error_bound_with_losses.is_empty() {
+        all["error_bound_with_losses"] = json!(certificate.error_bound_with_losses);
+    }
+    if !certificate.error_bound_without.is_empty() {
+        all["error_bound_without"] = json!(certificate.error_bound_without);
+    }
+    all
 }
 
 fn realization(realization: &Realization) -> Value {

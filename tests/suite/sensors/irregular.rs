@@ -57,7 +57,7 @@ fn bound(generated: &Generated, run: &Run) -> f64 {
 
 #[test]
 fn every_linear_plant_is_estimated_exactly_from_the_samples_that_are_there() {
-    let (refused, tight, worst) = (Cell::new(0), Cell::new(0), Cell::new(0.0_f64));
+    let (refused, tight, worst, count) = (Cell::new(0), Cell::new(0), Cell::new(0.0_f64), Cell::new((0, 0)));
     let config = Config { cases: PLANTS, failure_persistence: None, ..Config::default() };
     let random = TestRng::deterministic_rng(RngAlgorithm::ChaCha);
     let shapes = (
@@ -93,9 +93,13 @@ fn every_linear_plant_is_estimated_exactly_from_the_samples_that_are_there() {
         let (mut run, _) = linear.run(calls, shape.5);
         thin(&mut run, most, &mut random);
         let answers = run.through(&generated);
-        let expected = |call| if call < linear.steps { Status::Converging } else { Status::Converged };
-        if let Some(call) = (0..calls).find(|call| answers.statuses[*call] != expected(*call)) {
+        // Some times within the gaps cost more than the bound that the status keeps.
+        let early = |call: usize| (answers.statuses[call] == Status::Converging) == (call < linear.steps);
+        if let Some(call) = (0..calls).find(|call| !early(*call)) {
             return Err(TestCaseError::fail(format!("call {call}: {:?}\n{text}", answers.statuses[call])));
+        }
+        for status in &answers.statuses[linear.steps..] {
+            count.set((count.get().0 + u32::from(*status == Status::Coasting), count.get().1 + 1));
         }
         let bound = bound(&generated, &run);
         let size = run.sizes(linear.steps).into_iter().fold(0.0, f64::max);
@@ -110,6 +114,9 @@ fn every_linear_plant_is_estimated_exactly_from_the_samples_that_are_there() {
     });
     outcome.unwrap_or_else(|why| panic!("{why}"));
     let (refused, tight) = (refused.get(), tight.get());
+    let (coasted, all) = count.get();
+    println!("{coasted} of {all} calls beyond the bound");
+    assert!(20 * coasted < all, "{coasted} of {all} calls are beyond the bound");
     println!(
         "{refused} of {PLANTS} refused; the bound is below a millionth of the state for {tight}; largest error / bound {:.1e}",
         worst.get()
@@ -135,9 +142,17 @@ fn without_samples_the_model_goes_on() {
         run.states.push(vec![0.5, 0.0, 0.0]);
     }
     let answers = run.through(&generated);
-    let error = answers.errors(&run, from..8 * from).into_iter().fold(0.0, f64::max);
+    let whole = (from..4 * from).chain(7 * from + 10..8 * from);
+    let error = answers.errors(&run, whole).into_iter().fold(0.0, f64::max);
     println!("error {error:e}");
     assert!(error <= 64.0 * UNIT * irregular.amplification(), "{error:e}");
+    // While the window runs dry and fills again, what is left of it is solved up to a condition of 1e12: rounding is then
+    // a ten-thousandth of the bound that the status keeps at most.
+    let bounds = &generated.design.certificate.error_bound_with_losses;
+    for (error, bound) in answers.errors(&run, 4 * from..7 * from + 10).into_iter().zip(bounds) {
+        let bound = bound.expect("noise and disturbance are declared");
+        assert!(error <= 1e-4 * bound, "{error:e} of {bound:e}");
+    }
     for (call, status) in answers.statuses.iter().enumerate() {
         let expected = match call {
             _ if call < from => Some(Status::Converging),

@@ -415,7 +415,7 @@ fn the_rounding_bounds_are_small() {
 #[test]
 fn one_sensor_of_two_is_not_predicted_for_ever() {
     let text = "deadbeat = 1\nname = 'pair'\n[plant]\nA = [[1, 2], [-2, -3]]\nC = [[-1, 1], [0, -1]]\n\
-                [observer.window]\nwindow = 0.5\n[target]\nsample_time = 0.1\nscalar = 'f64'\n";
+                [observer.window]\nwindow = 0.5\nmissing = 'predicted'\n[target]\nsample_time = 0.1\nscalar = 'f64'\n";
     let generated = designed(text);
     let window = generated.design.valid_from_step + 1;
     let (gone, back, calls) = (21, 1_500, 1_600);

@@ -82,7 +82,11 @@ impl Linear {
 
     /// The specification; `observer` is a table's name with its keys beside the window, a line each.
     pub fn text(&self, observer: &str) -> String {
-        self.specification(&format!("{observer}\nwindow = {}", self.steps as f64 * self.h))
+        // Constant weights, where several outputs of which one could be lost would else be solved for.
+        let regular = self.every.is_empty() && self.ages.is_empty();
+        let window = observer.starts_with("[observer.window]") && !observer.contains("missing");
+        let missing = if regular && window { "\nmissing = 'predicted'" } else { "" };
+        self.specification(&format!("{observer}{missing}\nwindow = {}", self.steps as f64 * self.h))
     }
 
     /// The specification; `observer` is a table's name with its keys, a line each.

@@ -12,12 +12,33 @@ use crate::sampled::model::Model;
 
 /// Gains at the worst phase of the pattern, and those of all phases; `None` where its samples are too few.
 ///
-/// The error bound holds while no sample of the pattern is lost.
+/// The error bound holds while no sample of the pattern is lost; beside it stand those with losses.
 pub fn certify(
     plant: &Plant,
     functional: &Functional,
     irregular: &Irregular,
     exact: &Exact,
+) -> Option<(Certificate, Vec<Phase>)> {
+    let (mut certificate, phases) = worst(plant, functional, irregular, exact, None)?;
+    certificate.error_bound_with_losses = irregular.bound_with_losses(plant, functional, exact);
+    if plant.outputs.len() > 1 {
+        let without = |o: usize| {
+            let rest =
+                worst(plant, functional, irregular, exact, Some(o)).filter(|_| irregular.determined_without(o))?;
+            Some(rest.0.error_bound)
+        };
+        certificate.error_bound_without = (0..plant.outputs.len()).map(without).collect();
+    }
+    Some((certificate, phases))
+}
+
+/// Gains at the worst phase, with all samples of one output lost, or of none.
+fn worst(
+    plant: &Plant,
+    functional: &Functional,
+    irregular: &Irregular,
+    exact: &Exact,
+    lost: Option<usize>,
 ) -> Option<(Certificate, Vec<Phase>)> {
     let n = plant.states.len();
     let zeros = |columns: usize| vec![vec![0.0; columns]; n];
@@ -30,7 +51,7 @@ pub fn certify(
     };
     let mut phases = Vec::new();
     for phase in irregular.pattern.phases() {
-        let weights = irregular.weights(&|age, o| irregular.pattern.there(phase, age, o))?;
+        let weights = irregular.weights(&|age, o| lost != Some(o) && irregular.pattern.there(phase, age, o))?;
         let gains = noise_gains(&weights);
         raise(&mut worst.noise_gain_l1, &gains.noise_gain_l1);
         raise(&mut worst.noise_gain_l2, &gains.noise_gain_l2);

@@ -50,14 +50,15 @@ impl Pattern {
         age.checked_sub(self.delays[output]).is_some_and(|age| age % every == phase % every)
     }
 
-    /// How many directions of the state a window of so many steps shows at its worst phase; in doubles.
-    pub fn shown(&self, model: &Model, steps: usize) -> usize {
+    /// How many directions of the state a window of so many steps shows at its worst phase, without the samples of one
+    /// output or with those of all; in doubles.
+    pub fn shown(&self, model: &Model, steps: usize, lost: Option<usize>) -> usize {
         let rows = output_powers(model, steps);
         let rows: Vec<Vec<Vec<f64>>> = rows.iter().rev().map(super::Matrix::to_f64).collect();
         let n = model.phi.rows();
         let of_phase = |phase: usize| {
             let there = |age: usize| {
-                let outputs = (0..self.every.len()).filter(move |o| self.there(phase, age, *o));
+                let outputs = (0..self.every.len()).filter(move |o| lost != Some(*o) && self.there(phase, age, *o));
                 outputs.map(move |o| (age, o))
             };
             let all: Vec<&Vec<f64>> = (0..=steps).flat_map(there).map(|(age, o)| &rows[age][o]).collect();

@@ -21,8 +21,9 @@ impl Irregular {
 
     /// The largest magnitude in a step for samples of magnitude 1, from above.
     ///
-    /// Rows of Q are at most 1, and so are the diagonals of G and of what elimination leaves of it; with a pivot d that
-    /// is trusted, d at least the threshold, a factor of elimination is at most 1/sqrt(d), twice that with rounding.
+    /// What elimination leaves of the right-hand sides is at most the root of what it leaves of their diagonals, times the
+    /// root sum of squares of what the rows showed; so is an answer, with the root of its variance, and each of its parts.
+    /// Twice that with rounding.
     pub fn largest_gain(&self) -> f64 {
         let size = |weight: &Option<Settled>| weight.map_or(0.0, |weight| weight.double.abs());
         let sum = |row: &Vec<Option<Settled>>| row.iter().map(size).sum::<f64>();
@@ -49,14 +50,11 @@ impl Irregular {
             most.max(1.0 + ages.largest_share() + seen * response)
         });
         let right = count(self.rows.len() * self.c.len()) * trust * shown * entry;
-        // With entries beyond 1 the diagonals of G are at most their squares' sum.
-        let diagonal =
-            if entry > 1.0 { entry * deadbeat_math::sqrt_f64(count(self.rows.len() * self.c.len())) } else { 1.0 };
-        let factor = 2.0 * diagonal / deadbeat_math::sqrt_f64(self.threshold);
-        let eliminated = (1..n).fold(right / self.threshold, |gain, _| gain * (1.0 + factor) * (1.0 + factor));
-        let through = self.through.iter().map(sum).fold(0.0, f64::max);
+        let square = self.worth.scale.iter().flatten().fold(0.0_f64, |most, scale| most.max(*scale)) * self.worth.most;
+        let rows = deadbeat_math::sqrt_f64(count(self.rows.len() * self.c.len()));
+        let solved = 2.0 * right.max(deadbeat_math::sqrt_f64(square) * rows * trust * shown);
         let phi = self.phi.iter().map(sum).fold(1.0, f64::max);
-        (through * eliminated + response) * phi + (0..n).map(moved).fold(0.0, f64::max)
+        (solved + response) * phi + (0..n).map(moved).fold(0.0, f64::max)
     }
 
     /// K for some samples, by age of the state that they show from 0, n x p each, in doubles; `None` where they do not

@@ -11,7 +11,7 @@ use crate::step::sensors::{Sensors, counters};
 
 use super::super::Functional;
 use super::count::longest_count;
-use super::irregular::Memory;
+use super::irregular::{Memory, patience};
 use super::{kept_len, late_len, window_len};
 use crate::step::{gate, injections, inputs};
 
@@ -153,6 +153,8 @@ fn memory(builder: &mut Builder, plant: &Plant, functional: &Functional) -> Memo
         (delay > 0).then(|| builder.index_cell(&name, doc, window - 1 - delay))
     });
     let late = late.collect();
+    let doc = "calls with samples since these were worth more than a prediction";
+    let poor = builder.index_cell("poor", doc, patience(window));
     let coasted = since(builder);
     let ages = plant.outputs.iter().map(|output| {
         let name = &output.label.name;
@@ -160,5 +162,5 @@ fn memory(builder: &mut Builder, plant: &Plant, functional: &Functional) -> Memo
         output.aged.as_ref().map(|_| builder.ring(&cell, &doc, window, 0.0))
     });
     let ages = ages.collect();
-    Memory { present, next, known, late, coasted, ages }
+    Memory { present, next, known, late, poor, coasted, ages }
 }

@@ -1,11 +1,11 @@
 //! The reading of a call whose estimate is of the samples that are there: nothing stands in for a missing one, but where
 //! a nonlinear term needs its value.
 
-use crate::expr::Symbol;
 use crate::program::builder::Builder;
 use crate::program::{Value, place};
-use crate::sampled::{Part, Source};
+use crate::sampled::Part;
 use crate::step::front;
+use crate::step::injections::needed;
 use crate::step::kept::Kept;
 use crate::step::known::Known;
 use crate::step::reading::{self, Foretells, Foretold, Word};
@@ -101,15 +101,7 @@ impl<'a> Lowering<'a> {
 
     /// Per output: whether a nonlinear term needs its value.
     fn feeds(&self) -> Vec<bool> {
-        let mut feeds = vec![false; self.plant.outputs.len()];
-        for signal in &self.functional.signals {
-            let Source::Injection(k) = signal.source else { continue };
-            for symbol in self.plant.injections[k].symbols() {
-                let Symbol::State(j) = symbol else { continue };
-                self.plant.states[j].measured.iter().for_each(|(o, _)| feeds[*o] = true);
-            }
-        }
-        feeds
+        (0..self.plant.outputs.len()).map(|o| needed(self.plant, o)).collect()
     }
 
     pub(super) fn memory(&self) -> &Memory {

@@ -21,13 +21,15 @@ pub(super) struct Carried {
     pub(super) response: Vec<Value>,
     /// Per output that wraps: how far it has moved since the oldest slot.
     pub(super) moved: Vec<Value>,
+    /// How many samples there are.
+    pub(super) count: Value,
     slot: Value,
 }
 
 impl Carried {
     fn flat(&self) -> Vec<Value> {
         let all = self.normal.iter().chain(&self.right).chain(&self.response).chain(&self.moved);
-        all.copied().chain([self.slot]).collect()
+        all.copied().chain([self.count, self.slot]).collect()
     }
 
     fn of(values: &[Value], n: usize) -> Self {
@@ -36,7 +38,8 @@ impl Carried {
             normal: values[..pairs].to_vec(),
             right: values[pairs..pairs + n].to_vec(),
             response: values[pairs + n..pairs + 2 * n].to_vec(),
-            moved: values[pairs + 2 * n..values.len() - 1].to_vec(),
+            moved: values[pairs + 2 * n..values.len() - 2].to_vec(),
+            count: values[values.len() - 2],
             slot: values[values.len() - 1],
         }
     }
@@ -139,6 +142,7 @@ impl Pass<'_> {
     fn samples(&self, b: &mut Builder, mut carried: Carried, weights: &[Vec<Value>]) -> Carried {
         for (o, row) in weights.iter().enumerate() {
             let present = b.read_ring(self.present[o], carried.slot);
+            carried.count = b.add(carried.count, present);
             let sample = self.sample(b, &carried, o);
             let foreseen = self.foreseen(b, o, &carried);
             let shown = b.sub(sample, foreseen);
@@ -228,7 +232,7 @@ impl Lowering<'_> {
         let zero = b.float(0.0);
         let slot = b.advance(newest, pass.len);
         let (normal, moved) = (vec![zero; triangle(n).len()], pass.turning().map(|_| zero).collect());
-        let start = Carried { normal, right: vec![zero; n], response: vec![zero; n], moved, slot };
+        let start = Carried { normal, right: vec![zero; n], response: vec![zero; n], moved, count: zero, slot };
         let value = |weight: &Settled| weight.value(scalar);
         let oldest = |rows: &[Vec<Vec<Settled>>], i: usize, j: usize| rows.first().map_or(0.0, |row| value(&row[i][j]));
         let rows = |b: &mut Builder, o: usize, j: usize| b.float(oldest(&irregular.rows, o, j));
