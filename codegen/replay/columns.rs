@@ -2,7 +2,7 @@
 
 use std::io::Read;
 
-use crate::plant::Plant;
+use crate::plant::{Input, Plant};
 
 use super::interface::{Count, Interface, MeasuredKind};
 use super::mistake::SignalError;
@@ -77,11 +77,14 @@ impl Columns {
             .measurements
             .iter()
             .map(|field| {
-                let mut place = || selection.place(signals.column(&field.name));
+                let written = match field.kind {
+                    MeasuredKind::Sample { output, .. } => &plant.outputs[output].label.written,
+                    MeasuredKind::Age { .. } => &field.name,
+                };
+                let column = signals.column_of(&field.name, written, there);
+                let mut place = || selection.place(column.clone());
                 match field.kind {
-                    MeasuredKind::Sample { count: Some(count), .. } => {
-                        Cell::Count(place(), count, signals.column(&field.name))
-                    }
+                    MeasuredKind::Sample { count: Some(count), .. } => Cell::Count(place(), count, column),
                     MeasuredKind::Sample { count: None, .. } => Cell::Number(place()),
                     MeasuredKind::Age { output } => match found(&signals.age, &plant.outputs[output].label.name) {
                         Some(column) => Cell::Since(selection.place(column)),
@@ -90,12 +93,17 @@ impl Columns {
                 }
             })
             .collect();
-        let inputs = plant.inputs.iter().map(|u| selection.place(signals.column(&u.label.name))).collect();
+        let input = |u: &Input| signals.column_of(&u.label.name, &u.label.written, there);
+        let inputs = plant.inputs.iter().map(|u| selection.place(input(u))).collect();
         let read = selection.clone();
         let references = interface.answers.iter().map(|answer| {
             let column = found(&signals.reference, &answer.name).filter(|_| !answer.integer);
-            let named = || all && !answer.integer && there.contains(&answer.name) && !read.names.contains(&answer.name);
-            column.or_else(|| named().then(|| answer.name.clone())).map(|column| selection.place(column))
+            // Named like the field, or like the state as it is written.
+            let state = answer.state.filter(|_| answer.window.is_none_or(|window| window == 1));
+            let written = state.map_or(&answer.name, |state| &plant.states[state].label.written);
+            let mut names = [&answer.name, written].into_iter().filter(|_| all && !answer.integer);
+            let named = || names.find(|name| there.contains(*name) && !read.names.contains(*name)).cloned();
+            column.or_else(named).map(|column| selection.place(column))
         });
         let references = references.collect();
         Ok(Self { time, measurements, inputs, references, negative_ages: 0 })

@@ -74,6 +74,8 @@ fn every_code_is_covered() {
         codes::TIME_RESOLUTION,
         codes::FLOAT_RESOLUTION,
         codes::WEAK,
+        codes::WEAK_SAMPLES,
+        codes::HELD_IN_OUTPUT,
         codes::NOISE,
         // Mistakes of a call, not of a specification: see `builder`.
         codes::FILE,
