@@ -157,11 +157,7 @@ impl Build {
     /// Everything between a specification and its files.
     fn designed(&self, spec: &Path) -> Result<(Generator, Generated), Report> {
         let name = shown(spec);
-        let text = std::fs::read_to_string(spec).map_err(|error| {
-            let help = "paths are relative to the current folder; in a build script, to that of `Cargo.toml`";
-            Report::without_place(&name, codes::FILE, format!("cannot read `{name}`: {error}"), help)
-        })?;
-        let generator = Generator::new(&text, &name).with(self.settings);
+        let generator = Generator::read(std::fs::read(spec), &name)?.with(self.settings);
         let generated = generator.design()?;
         Ok((generator, generated))
     }

@@ -167,6 +167,8 @@ enum End {
 enum Failure {
     /// Exit 1: the specification, the data or the disk.
     Wrong(String),
+    /// Exit 1: mistakes with their places.
+    Reported(Report),
     /// Exit 3: the arguments, which only this specification or this build shows to be wrong.
     Misused(String),
 }
@@ -187,6 +189,10 @@ pub fn main() -> ExitCode {
         Ok(End::Differs) => ExitCode::from(2),
         Err(Failure::Wrong(text)) => {
             eprintln!("error: {text}");
+            ExitCode::from(1)
+        }
+        Err(Failure::Reported(report)) => {
+            show(&report);
             ExitCode::from(1)
         }
         Err(Failure::Misused(text)) => {
@@ -216,16 +222,23 @@ fn one_standard_input<'a>(paths: impl IntoIterator<Item = &'a PathBuf>) -> Resul
 }
 
 /// Reads a specification; its name in messages is the path as given, with forward slashes.
-fn read_spec(path: &PathBuf, settings: Settings) -> Result<Generator, Failure> {
+fn read_spec(path: &PathBuf, settings: Settings) -> Result<Generator, Report> {
     let name = path.to_string_lossy().replace('\\', "/");
-    let text = if name == "-" {
-        let mut text = String::new();
-        io::stdin().read_to_string(&mut text).map(|_| text)
+    let bytes = if name == "-" {
+        let mut bytes = Vec::new();
+        io::stdin().read_to_end(&mut bytes).map(|_| bytes)
     } else {
-        fs::read_to_string(path)
+        fs::read(path)
     };
-    let text = text.map_err(|error| Failure::Wrong(format!("cannot read {name}: {error}")))?;
-    Ok(Generator::new(&text, if name == "-" { "standard input" } else { &name }).with(settings))
+    let name = if name == "-" { "standard input" } else { &name };
+    Ok(Generator::read(bytes, name)?.with(settings))
+}
+
+/// A report that ends a command.
+impl From<Report> for Failure {
+    fn from(report: Report) -> Self {
+        Self::Reported(report)
+    }
 }
 
 /// Shows a report on standard error, with colours on a terminal.

@@ -6,6 +6,8 @@
 //! ([`Report::to_json`]). All mistakes of one stage travel together; a stage with a mistake has no
 //! output, so nothing half-checked reaches the next.
 
+pub(crate) mod letters;
+
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -285,6 +287,7 @@ pub mod codes {
         DELAYED_INJECTION "DB0210" "a nonlinearity in a measurement that arrives late"
         NOT_CONSTANT "DB0211" "a quantity that must be a constant"
         UNITS "DB0212" "units that contradict each other, or are missing"
+        HELD_IN_OUTPUT "DB0213" "an input that is held until the sample stands in an output"
         UNOBSERVABLE "DB0301" "a state that the outputs do not show"
         NOT_WHOLE "DB0302" "a time that is not a whole number of samples"
         WINDOW_TOO_SHORT "DB0303" "a window with too few samples"
@@ -297,6 +300,7 @@ pub mod codes {
         WEAK "DB0310" "an initial error that the promised step has not removed"
         REALIZATION "DB0311" "a realisation that may not run for this plant"
         NOISE "DB0312" "gains that leave more noise than signal"
+        WEAK_SAMPLES "DB0313" "a motion that is over before the next sample"
         OUT_OF_RANGE "DB0401" "a constant outside the target's float range"
         TIME_RESOLUTION "DB0402" "time that loses resolution in the target's float"
         WINDOW_TOO_LONG "DB0403" "a window too long to design"

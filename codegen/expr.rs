@@ -7,6 +7,8 @@
 //! are rationals, `b1*(i + 2*i)` is linear, `q^2 - q*q` vanishes. No float appears here.
 
 pub mod bounds;
+mod further;
+mod guess;
 pub mod node;
 pub mod parse;
 pub mod poly;
@@ -38,11 +40,22 @@ pub enum Function {
     Max,
     Tanh,
     Pow,
+    Log10,
+    Log2,
+    Exp2,
+    Sinh,
+    Cosh,
+    Cbrt,
+    Floor,
+    Hypot,
 }
+
+/// A function that is written for `min(max(x, low), high)`.
+pub const CLAMP: &str = "clamp";
 
 impl Function {
     /// Those that can be called by name, with their number of arguments.
-    pub const CALLABLE: [(&'static str, Self, usize); 15] = [
+    pub const CALLABLE: [(&'static str, Self, usize); 23] = [
         ("sin", Self::Sin, 1),
         ("cos", Self::Cos, 1),
         ("tan", Self::Tan, 1),
@@ -58,7 +71,20 @@ impl Function {
         ("min", Self::Min, 2),
         ("max", Self::Max, 2),
         ("tanh", Self::Tanh, 1),
+        ("sinh", Self::Sinh, 1),
+        ("cosh", Self::Cosh, 1),
+        ("log10", Self::Log10, 1),
+        ("log2", Self::Log2, 1),
+        ("exp2", Self::Exp2, 1),
+        ("cbrt", Self::Cbrt, 1),
+        ("hypot", Self::Hypot, 2),
+        ("floor", Self::Floor, 1),
     ];
+
+    /// The names of all functions, as they can be called.
+    pub fn names() -> impl Iterator<Item = &'static str> + Clone {
+        Self::CALLABLE.iter().map(|entry| entry.0).chain([CLAMP])
+    }
 
     /// The function of that name with its number of arguments.
     pub fn by_name(name: &str) -> Option<(Self, usize)> {
@@ -96,13 +122,15 @@ pub fn nearest<'a>(word: &str, choices: impl IntoIterator<Item = &'a str>) -> Op
     let close = |choice: &str| {
         let distance = edit_distance(word, choice);
         let shorter = word.len().min(choice.len());
-        (distance <= allowed && distance < shorter) || word.eq_ignore_ascii_case(choice)
+        // Of three letters, another one in the place of one makes another word.
+        let another = word.len() == 3 && choice.len() == 3;
+        (distance <= allowed && distance < shorter && !another) || word.eq_ignore_ascii_case(choice)
     };
     let common = |choice: &str| word.bytes().zip(choice.bytes()).take_while(|(a, b)| a == b).count();
-    choices
-        .into_iter()
-        .filter(|choice| close(choice))
-        .min_by_key(|choice| (edit_distance(word, choice), usize::MAX - common(choice), *choice))
+    choices.into_iter().filter(|choice| close(choice)).min_by_key(|choice| {
+        let same = word.eq_ignore_ascii_case(choice);
+        (!same, edit_distance(word, choice), usize::MAX - common(choice), *choice)
+    })
 }
 
 /// How many letters have to be inserted, removed or replaced to turn `a` into `b` (Levenshtein).

@@ -71,6 +71,27 @@ impl Generator {
         Self { source: Source { name: name.into(), text: text.into() }, settings: Settings::default() }
     }
 
+    /// Takes a specification's bytes as they were read; `name` is what messages call it.
+    ///
+    /// # Errors
+    /// They could not be read, or are no text: with the line of the first byte that is none.
+    pub fn read(bytes: std::io::Result<Vec<u8>>, name: &str) -> Result<Self, Report> {
+        let unread = |message, help| Report::without_place(name, diagnostic::codes::FILE, message, help);
+        let bytes = bytes.map_err(|error| {
+            let help = "paths are relative to the current folder; in a build script, to that of `Cargo.toml`";
+            unread(format!("cannot read `{name}`: {error}"), help)
+        })?;
+        let text = String::from_utf8(bytes).map_err(|error| {
+            let good = error.utf8_error().valid_up_to();
+            let before = String::from_utf8_lossy(&error.as_bytes()[..good]).into_owned();
+            let (line, column) = Source { name: name.into(), text: before.into() }.position(good);
+            let byte = error.as_bytes()[good];
+            let message = format!("`{name}` is not UTF-8: byte 0x{byte:02x} in line {line}, column {column}");
+            unread(message, "save it as UTF-8, or replace the letter that is not one of ASCII's")
+        })?;
+        Ok(Self::new(&text, name))
+    }
+
     /// Overrides what the file's `[target]` says.
     #[must_use]
     pub fn with(mut self, settings: Settings) -> Self {

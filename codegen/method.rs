@@ -35,13 +35,13 @@ use std::fmt::Debug;
 use std::ops::Range;
 use std::sync::Arc;
 
-use crate::diagnostic::{Diagnostic, Report, Source, codes};
+use crate::diagnostic::{Diagnostic, Level, Report, Source, codes};
 use crate::estimator::Design;
 use crate::expr::nearest;
 use crate::plant::Plant;
 use crate::promise::NamedMatrix;
 use crate::spec::reader::Table;
-use crate::spec::{Chain, Settings, Spec, Text};
+use crate::spec::{Chain, Settings, Spec, Text, Unread};
 
 /// All methods, in the order in which `deadbeat list` shows them.
 pub const METHODS: &[Method] = &[
@@ -126,7 +126,7 @@ pub struct Moment {
 /// A specification with its method's keys read.
 ///
 /// # Errors
-/// Every mistake of the file at once.
+/// Every mistake of the file at once; where only keys are wrong, those in its equations too.
 pub fn read(source: Source, settings: Settings) -> Result<(Spec, Arc<dyn Keyed>), Report> {
     let mut keyed = None;
     let spec = Spec::parse(source, settings, &mut |name, table| {
@@ -134,6 +134,12 @@ pub fn read(source: Source, settings: Settings) -> Result<(Spec, Arc<dyn Keyed>)
         let chain = (keys.chain(), method.several_outputs());
         keyed = Some(keys);
         Some(chain)
+    });
+    let spec = spec.map_err(|Unread { report, rest }| {
+        let equations = rest.and_then(|rest| Plant::new(&rest).err()).map(|report| report.diagnostics);
+        let mistakes =
+            equations.into_iter().flatten().filter(|d| d.level == Level::Error && d.code.starts_with("DB02"));
+        Report::new(report.source, report.diagnostics.into_iter().chain(mistakes).collect())
     })?;
     let keyed = keyed.unwrap_or_else(|| unreachable!("a specification without an observer is refused"));
     Ok((spec, keyed))
@@ -146,6 +152,19 @@ pub fn refusals(plant: &Plant, name: &str, keyed: &(dyn Keyed + 'static)) -> Vec
 }
 
 impl Method {
+    /// The method of that name, or a sentence that says what there is.
+    ///
+    /// # Errors
+    /// There is none.
+    pub fn named(name: &str) -> Result<&'static Self, String> {
+        let known = || METHODS.iter().map(|method| method.name);
+        METHODS.iter().find(|method| method.name == name).ok_or_else(|| {
+            let close = nearest(name, known()).map(|close| format!("did you mean `{close}`? "));
+            let all = known().collect::<Vec<_>>().join(", ");
+            format!("there is no method `{name}`; {}the methods are: {all}", close.unwrap_or_default())
+        })
+    }
+
     /// What stands against a feature whatever the specification.
     fn never(&self, feature: Feature) -> Option<&'static Limit> {
         self.against(feature).find(|limit| limit.words().is_none())

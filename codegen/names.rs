@@ -2,7 +2,7 @@
 //!
 //! Knows what Rust and C can carry. Never knows what a name stands for.
 //!
-//! A user's name becomes a field of a struct, as it is, and nothing else: it cannot meet a local, a
+//! A user's name becomes a field of a struct, without its capitals, and nothing else: it cannot meet a local, a
 //! parameter or a function. What stands at file scope is the generator's, and carries the
 //! specification's name in C: `pendulum_step`, `PENDULUM_WINDOW`.
 
@@ -98,6 +98,32 @@ pub fn snake_case(name: &str) -> String {
     if joined.starts_with(|c: char| c.is_ascii_alphabetic()) { joined } else { format!("x{joined}") }
 }
 
+/// The field of generated structs that stands for a user's name: the same without capitals, `t_1` for `T_1`.
+///
+/// Where that would be another thing's name, as `t` the time's, it gets `cap_` in front.
+#[must_use]
+pub fn field(name: &str) -> String {
+    if !name.contains(|c: char| c.is_ascii_uppercase()) {
+        return name.to_owned();
+    }
+    let snake = snake_case(name);
+    if snake == "t" || reserved(&snake).is_some() { format!("cap_{snake}") } else { snake }
+}
+
+/// Why a field cannot be called as a type of the header is, to be read behind "`name` is": in C++ a member's name hides
+/// the type's. `specification` is the prefix of the header's own types.
+#[must_use]
+pub fn type_of_the_header(specification: &str, field: &str) -> Option<&'static str> {
+    const OF_STDINT: &str = "int8_t int16_t int32_t int64_t uint8_t uint16_t uint32_t uint64_t intptr_t uintptr_t intmax_t \
+        uintmax_t size_t ptrdiff_t max_align_t nullptr_t";
+    const OWN: [&str; 5] = ["state", "measurements", "inputs", "estimate", "status"];
+    if OF_STDINT.split_whitespace().any(|name| name == field) {
+        return Some("a type of the C library, and a C++ compiler would take it for the field");
+    }
+    let own = field.strip_prefix(specification)?.strip_prefix('_')?;
+    OWN.contains(&own).then_some("a type of the generated header, and a C++ compiler would take it for the field")
+}
+
 /// Why a name cannot be a field, to be read behind "`name` is"; nothing if it can.
 #[must_use]
 pub fn reserved(name: &str) -> Option<&'static str> {
@@ -163,6 +189,20 @@ mod tests {
         for (name, snake) in cases {
             assert_eq!(snake_case(name), snake);
         }
+    }
+
+    /// Claim: a field has no capitals, and is never another thing's name.
+    #[test]
+    fn fields_have_no_capitals() {
+        for (name, snake) in
+            [("F", "f"), ("T1", "t1"), ("dTheta", "d_theta"), ("q", "q"), ("T", "cap_t"), ("Int", "cap_int")]
+        {
+            assert_eq!(field(name), snake);
+            assert!(reserved(&field(name)).is_none());
+        }
+        assert!(type_of_the_header("motor", "uint32_t").is_some_and(|why| why.starts_with("a type of the C library")));
+        assert!(type_of_the_header("motor", "motor_estimate").is_some());
+        assert!(type_of_the_header("motor", "motor_speed").is_none());
     }
 
     /// Claim: each kind of reserved word is told apart, and ordinary names are free.

@@ -36,8 +36,10 @@ pub use sensor::{Aged, Counter, Gate, Wrap};
 /// Name, unit, documentation and place of something declared.
 #[derive(Clone, Debug)]
 pub struct Label {
-    /// An identifier of both languages.
+    /// An identifier of both languages, in which generated code and what it is called by speak.
     pub name: String,
+    /// As the user wrote it, in which expressions speak.
+    pub written: String,
     /// SI unit as written; may be empty.
     pub unit: String,
     /// One line; may be empty.
@@ -256,9 +258,9 @@ impl Plant {
 
     /// The value of one of a method's keys; mistakes are collected.
     pub fn constant(&self, quantity: &Quantity, found: &mut Vec<Diagnostic>) -> Option<Constant> {
-        let parameters = self.parameters.iter().map(|p| (p.label.name.clone(), Meaning::Parameter(p.value.clone())));
+        let parameters = self.parameters.iter().map(|p| (p.label.written.clone(), Meaning::Parameter(p.value.clone())));
         // States and inputs are known too, so that they are refused for what they are.
-        let symbol = |label: &Label, symbol| (label.name.clone(), Meaning::Symbol(symbol));
+        let symbol = |label: &Label, symbol| (label.written.clone(), Meaning::Symbol(symbol));
         let states = self.states.iter().enumerate().map(|(j, state)| symbol(&state.label, Symbol::State(j)));
         let inputs = self.inputs.iter().enumerate().map(|(i, input)| symbol(&input.label, Symbol::Input(i)));
         let known: Vec<(String, Meaning)> = parameters.chain(states).chain(inputs).collect();

@@ -10,6 +10,7 @@ mod identifiers;
 mod read;
 pub mod reader;
 pub mod sensor;
+mod syntax;
 
 use std::cell::RefCell;
 use std::ops::Range;
@@ -17,13 +18,13 @@ use std::ops::Range;
 use dashu_ratio::RBig;
 use serde::Deserialize;
 
-use crate::diagnostic::{Report, Source};
+use crate::diagnostic::{Report, Source, codes};
 use crate::program::Scalar;
 use reader::{Found, Table};
 use sensor::Sensor;
 
 /// A string with its place in the file.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Text {
     /// Without quotes.
     pub value: String,
@@ -95,7 +96,7 @@ pub struct State {
 pub enum Hold {
     /// Keeps its value.
     Zero,
-    /// Runs straight from one sample to the next.
+    /// Is sampled together with the outputs, and runs straight from one sample to the next.
     First,
 }
 
@@ -106,6 +107,8 @@ pub struct Input {
     pub named: Named,
     /// Between samples.
     pub hold: Hold,
+    /// Whether the file says it.
+    pub said: bool,
 }
 
 /// A measured output.
@@ -254,15 +257,50 @@ pub struct Chain {
 /// there and give `None`. The text says why a chain's method takes no second output.
 pub type ReadKeys<'a> = &'a mut dyn FnMut(&Text, Table) -> Option<(Chain, String)>;
 
+/// Why a file is no specification.
+pub struct Unread {
+    /// Every mistake.
+    pub report: Report,
+    /// What the plant can be read from, where no more than keys are wrong: for the mistakes in its equations.
+    pub rest: Option<Box<Spec>>,
+}
+
+/// Mistakes that leave what else is written as it is.
+const LOCAL: [&str; 3] = [codes::UNKNOWN_KEY, codes::MISSING_KEY, codes::BAD_CHOICE];
+
 impl Spec {
     /// Reads a specification, with `keys` for the observer's own table.
-    pub fn parse(source: Source, settings: Settings, keys: ReadKeys) -> Result<Self, Report> {
+    ///
+    /// # Errors
+    /// Every mistake of the file's keys, names and numbers.
+    pub fn parse(source: Source, settings: Settings, keys: ReadKeys) -> Result<Self, Unread> {
         let found: Found = RefCell::new(Vec::new());
         let spec = read::read(&source, settings, keys, &found);
         let found = found.into_inner();
         match spec {
-            Some(spec) if found.is_empty() => Ok(spec),
-            _ => Err(Report::new(source, found)),
+            Some((spec, true)) if found.is_empty() => Ok(spec),
+            spec => {
+                let local = found.iter().all(|mistake| LOCAL.contains(&mistake.code));
+                let whole =
+                    |spec: &Spec| spec.matrices.is_some() || !(spec.states.is_empty() || spec.outputs.is_empty());
+                let rest = spec.filter(|(spec, _)| local && whole(spec)).map(|(spec, _)| Box::new(spec));
+                Err(Unread { report: Report::new(source, found), rest })
+            }
         }
+    }
+}
+
+impl Observer {
+    /// Where the method's keys could not be read.
+    fn stand_in(method: Option<Text>) -> Self {
+        Self { method: method.unwrap_or_default(), ahead: None }
+    }
+}
+
+impl Target {
+    /// Where it could not be read.
+    fn stand_in() -> Self {
+        let sample_time = Quantity::Number(RBig::ONE, 0..0);
+        Self { sample_time, scalar: Scalar::F64, jitter: None, coasted: false, init_at: false }
     }
 }

@@ -5,6 +5,7 @@
 pub mod ahead;
 pub mod cells;
 pub mod coasting;
+pub mod composed;
 pub mod front;
 pub mod gate;
 pub mod given;

@@ -17,9 +17,9 @@ fn designed(specs: &[PathBuf], common: &Common) -> Result<Option<Vec<(Generated,
     let mut all = Vec::new();
     let mut wrong = false;
     for path in &specs {
-        let generator = read_spec(path, common.settings())?;
-        match alive(&generator, Generator::design) {
-            Ok(generated) => {
+        let read = read_spec(path, common.settings());
+        match read.and_then(|generator| Ok((alive(&generator, Generator::design)?, generator))) {
+            Ok((generated, generator)) => {
                 show(&generated.report);
                 let output = Output::new(&generated, generator.source());
                 all.push((generated, output));
@@ -53,7 +53,11 @@ pub fn check(specs: &[PathBuf], common: &Common) -> Result<End, Failure> {
     let Some(specs) = found(specs) else { return Ok(End::Wrong) };
     let mut reports = Vec::new();
     for path in &specs {
-        reports.push(alive(&read_spec(path, common.settings())?, Generator::check));
+        // One that cannot be read says nothing of the others.
+        reports.push(match read_spec(path, common.settings()) {
+            Ok(generator) => alive(&generator, Generator::check),
+            Err(unread) => unread,
+        });
     }
     if common.json() {
         let all: Vec<Value> =

@@ -30,7 +30,7 @@ impl Estimate {
             path.with_file_name(name)
         });
         let file: Box<dyn Write> = match &part {
-            Some(part) => Box::new(File::create(part).map_err(|error| unwritable(part, &error))?),
+            Some(part) => Box::new(File::create(part).map_err(|error| unwritable(path, &error))?),
             None => Box::new(io::stdout()),
         };
         let names: Vec<&str> = interface.answers.iter().map(|answer| answer.name.as_str()).collect();

@@ -10,10 +10,7 @@ use super::{Common, End, Failure, print};
 /// `deadbeat list`
 pub fn list(method: Option<&str>, common: &Common) -> Result<End, Failure> {
     if let Some(name) = method {
-        let known = || METHODS.iter().map(|m| m.name).collect::<Vec<_>>().join(", ");
-        let method = METHODS.iter().find(|m| m.name == name);
-        let unknown = || Failure::Misused(format!("there is no method `{name}`; the methods are: {}", known()));
-        let method = method.ok_or_else(unknown)?;
+        let method = Method::named(name).map_err(Failure::Misused)?;
         print(&if common.json() { format!("{:#}\n", method_json(method)) } else { page(method) })?;
         return Ok(End::Fine);
     }

@@ -8,7 +8,7 @@ use dashu_ratio::RBig;
 use deadbeat_math as math;
 
 use super::poly::{Atom, Poly};
-use super::{Function, Symbol};
+use super::{Function, Symbol, further};
 
 /// All numbers between two.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,6 +36,11 @@ impl Interval {
     /// The largest magnitude.
     pub fn magnitude(self) -> f64 {
         self.low.abs().max(self.high.abs())
+    }
+
+    /// The smallest magnitude.
+    pub(super) fn least(self) -> f64 {
+        if self.contains_zero() { 0.0 } else { self.low.abs().min(self.high.abs()) }
     }
 
     /// Of the sum.
@@ -80,7 +85,7 @@ impl Interval {
     }
 
     /// Of a rising function; bounds at which it has no value are dropped.
-    fn rising(self, f: impl Fn(f64) -> f64, whole: Self) -> Self {
+    pub(super) fn rising(self, f: impl Fn(f64) -> f64, whole: Self) -> Self {
         let at = |x: f64, otherwise: f64| if x.is_finite() && !f(x).is_nan() { f(x) } else { otherwise };
         Self::new(at(self.low, whole.low), at(self.high, whole.high))
     }
@@ -130,12 +135,10 @@ fn enclose_call(function: Function, ranges: &[Interval]) -> Interval {
         Function::Exp => x.rising(math::exp_f64, Interval::new(0.0, f64::INFINITY)),
         Function::Log => x.rising(math::log_f64, Interval::ALL),
         Function::Sqrt => x.rising(math::sqrt_f64, Interval::new(0.0, f64::INFINITY)),
-        Function::Abs => {
-            let least = if x.contains_zero() { 0.0 } else { x.low.abs().min(x.high.abs()) };
-            Interval::new(least, x.magnitude())
-        }
+        Function::Abs => Interval::new(x.least(), x.magnitude()),
         Function::Min | Function::Max => x.union(ranges[1]),
         Function::Tan | Function::Pow => Interval::ALL,
+        _ => further::enclose(function, ranges).unwrap_or(Interval::ALL),
     }
 }
 
@@ -170,8 +173,14 @@ fn derivative_of_atom(atom: &Atom, symbol: Symbol) -> Option<Poly> {
             if inner.iter().all(Poly::is_zero) {
                 return Some(Poly::default());
             }
-            let [argument] = arguments.as_slice() else { return None };
-            slope_of_call(*function, argument)?.times(&inner[0]).ok()
+            match (function, arguments.as_slice()) {
+                (Function::Hypot, [a, b]) => {
+                    let product = a.times(&inner[0]).ok()?.plus(&b.times(&inner[1]).ok()?).ok()?;
+                    product.times(&Poly::from(atom.clone()).reciprocal().ok()?).ok()
+                }
+                (_, [argument]) => slope_of_call(*function, argument)?.times(&inner[0]).ok(),
+                _ => None,
+            }
         }
     }
 }
@@ -190,7 +199,7 @@ fn slope_of_call(function: Function, x: &Poly) -> Option<Poly> {
         Function::Atan => one().plus(&x.power(2).ok()?).ok()?.reciprocal().ok(),
         Function::Tan => one().plus(&call(Function::Tan).power(2).ok()?).ok(),
         Function::Abs => Some(call(Function::Sign)),
-        _ => None,
+        _ => further::slope(function, x),
     }
 }
 

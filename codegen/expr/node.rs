@@ -11,7 +11,7 @@ use dashu_ratio::RBig;
 
 use super::parse::{Expr, Kind};
 use super::poly::{Atom, MAX_POWER, Monomial, Poly, PolyError};
-use super::{Constant, Function, Symbol, nearest};
+use super::{CLAMP, Constant, Function, Symbol, guess, nearest};
 use crate::diagnostic::{Diagnostic, codes};
 
 /// What names mean, and where the expression's text stands in the file.
@@ -108,8 +108,11 @@ fn resolve_name(name: &str, expr: &Expr, names: &Names, found: &mut Vec<Diagnost
 
 fn unknown_name(name: &str, span: Range<usize>, names: &Names) -> Diagnostic {
     let diagnostic = Diagnostic::error(codes::UNKNOWN_NAME, span.clone(), format!("`{name}` is not declared"));
-    if Function::by_name(name).is_some() {
+    if Function::names().any(|known| known == name) {
         return diagnostic.help(format!("`{name}` is a function: write `{name}(…)`"));
+    }
+    if name == "e" {
+        return diagnostic.help("write `exp(1)`, and powers of it as `exp(…)`");
     }
     let choices = names.known.iter().map(|(known, _)| known.as_str()).chain(["t", "pi"]);
     match nearest(name, choices) {
@@ -193,39 +196,40 @@ fn resolve_call(
 ) -> Option<Node> {
     let span = (names.place)(expr.span.clone());
     let nodes: Vec<Option<Node>> = arguments.iter().map(|argument| resolve(argument, names, found)).collect();
-    let Some((function, arity)) = Function::by_name(name) else {
+    let arity = if name == CLAMP { Some(3) } else { Function::by_name(name).map(|(_, arity)| arity) };
+    let Some(arity) = arity else {
         found.push(unknown_function(name, span, names));
         return None;
     };
     if arity != nodes.len() {
         let plural = if arity == 1 { "" } else { "s" };
         let message = format!("`{name}` takes {arity} argument{plural}, {} given", nodes.len());
-        let write = if arity == 1 { format!("`{name}(a)`") } else { format!("`{name}(a, b)`") };
-        found.push(Diagnostic::error(codes::EXPRESSION_SYNTAX, span, message).help(format!("write {write}")));
+        let arguments = ["a", "a, b", "x, low, high"][arity - 1];
+        let help = format!("write `{name}({arguments})`");
+        found.push(Diagnostic::error(codes::EXPRESSION_SYNTAX, span, message).help(help));
         return None;
     }
-    call(function, nodes.into_iter().collect::<Option<_>>()?, span, found)
+    let nodes: Vec<Node> = nodes.into_iter().collect::<Option<_>>()?;
+    match Function::by_name(name) {
+        Some((function, _)) => call(function, nodes, span, found),
+        None => clamp(nodes, &span, found),
+    }
+}
+
+/// `min(max(x, low), high)`: no number stays none.
+fn clamp(nodes: Vec<Node>, span: &Range<usize>, found: &mut Vec<Diagnostic>) -> Option<Node> {
+    let mut nodes = nodes.into_iter();
+    let (x, low, high) = (nodes.next()?, nodes.next()?, nodes.next()?);
+    let above = call(Function::Max, vec![x, low], span.clone(), found)?;
+    call(Function::Min, vec![fold(above), high], span.clone(), found)
 }
 
 fn unknown_function(name: &str, span: Range<usize>, names: &Names) -> Diagnostic {
-    let choices = Function::CALLABLE.iter().map(|entry| entry.0);
     let diagnostic = Diagnostic::error(codes::UNKNOWN_NAME, span, format!("there is no function `{name}`"));
     if names.known.iter().any(|(known, _)| known == name) {
         return diagnostic.help(format!("`{name}` is a quantity: write `{name}*(…)` for a product"));
     }
-    let other_spelling = match name {
-        "pow" => Some("write powers with `^`: `a^b`"),
-        "ln" => Some("the natural logarithm is `log`"),
-        "fabs" => Some("the magnitude is `abs`"),
-        _ => None,
-    };
-    if let Some(help) = other_spelling {
-        return diagnostic.help(help);
-    }
-    match nearest(name, choices.clone()) {
-        Some(close) => diagnostic.help(format!("did you mean `{close}`?")),
-        None => diagnostic.help(format!("the functions are {}", choices.collect::<Vec<_>>().join(", "))),
-    }
+    diagnostic.help(guess::instead_of(name))
 }
 
 fn call(function: Function, arguments: Vec<Node>, span: Range<usize>, found: &mut Vec<Diagnostic>) -> Option<Node> {

@@ -10,7 +10,7 @@ use syn::parse::{ParseStream, Parser};
 use syn::{Ident, Lit, Token, token};
 
 use crate::decimal;
-use crate::diagnostic::floor_boundary;
+use crate::diagnostic::{floor_boundary, letters};
 
 /// Longest expression, in bytes; a plant with more should be given by matrices.
 const MAX_LENGTH: usize = 4_096;
@@ -129,15 +129,8 @@ fn refuse_unreadable(text: &str) -> Result<(), ParseError> {
             | '\r' => {}
             _ => {
                 let message = format!("`{}` means nothing in an expression", c.escape_debug());
-                let help = match c {
-                    'π' => "write `pi`",
-                    '°' => "angles are in radians: write `*pi/180`",
-                    '[' | ']' | '{' | '}' => "write parentheses: `( )`",
-                    '·' | '×' => "write `*` for a product",
-                    '²' | '³' => "write powers with `^`",
-                    _ => "names, numbers, + - * / ^ ( ) and commas are all there is",
-                };
-                return refuse(here, message, Some(help));
+                let help = instead_of(c, text);
+                return refuse(here, message, Some(&help));
             }
         }
         if open.len() > MAX_DEPTH {
@@ -152,6 +145,34 @@ fn refuse_unreadable(text: &str) -> Result<(), ParseError> {
         Some(here) => refuse(here, "this parenthesis is never closed".into(), Some("write `)` where it ends")),
         None => Ok(()),
     }
+}
+
+/// How to write what a sign that means nothing here was meant for.
+fn instead_of(c: char, text: &str) -> String {
+    let help = match c {
+        '−' | '–' | '—' | '‐' | '‑' => "write a minus as `-`: this is another sign that looks like one",
+        '°' => "angles are in radians: write `*pi/180`",
+        '[' | ']' | '{' | '}' => "write parentheses: `( )`",
+        '·' | '×' | '∙' | '⋅' => "write `*` for a product",
+        '÷' | '∕' => "write `/` for a quotient",
+        '²' | '³' => "write powers with `^`",
+        '√' => "write `sqrt(…)`",
+        '=' if !text.contains(['<', '>', '!', '?']) && !text.contains("==") => {
+            "write the right-hand side alone: the name before the table says what it is of"
+        }
+        '|' if !text.contains("||") => "write a magnitude as `abs(…)`",
+        '%' => "there is no remainder: write `a - b*floor(a/b)`",
+        '<' | '>' | '=' | '?' | ':' | '&' | '|' | '!' | '≤' | '≥' => {
+            "there are no conditions: write `min`, `max`, `clamp`, `abs` or `sign`, such as `(1 + sign(u))/2` for `u > 0`"
+        }
+        '\'' | '"' => "a derivative is a state: give it a name and an equation of its own",
+        c => {
+            let other = "names, numbers, + - * / ^ ( ) and commas are all there is";
+            return letters::spelt(c)
+                .map_or_else(|| other.into(), |name| format!("write `{name}`: names are ASCII letters"));
+        }
+    };
+    help.to_owned()
 }
 
 type Depth<'a> = &'a std::cell::Cell<usize>;

@@ -9,7 +9,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use dashu_base::{BitTest as _, Signed as _};
 use dashu_ratio::RBig;
 
-use super::{Function, Symbol};
+use super::{Function, Symbol, further};
 use crate::decimal;
 use crate::real::{Precision, Real, Undefined};
 
@@ -382,7 +382,7 @@ impl Constant {
 const SPOILED_BITS: i64 = 24;
 
 /// Zero, when `value` is nothing but the rounding of parts as large as `2^top`.
-fn without_rounding(value: Real, top: Option<i64>) -> Real {
+pub(super) fn without_rounding(value: Real, top: Option<i64>) -> Real {
     let bits = i64::try_from(value.precision().as_bits()).unwrap_or(i64::MAX);
     match (value.top(), top) {
         (Some(own), Some(top)) if own < top - bits + SPOILED_BITS => Real::zero(value.precision()),
@@ -483,6 +483,7 @@ fn call(function: Function, values: &[Real]) -> Result<Real, Undefined> {
                 x.clone()
             }
         }
+        _ => further::exact(function, values)?.unwrap_or_else(|| unreachable!("every function is here or there")),
     })
 }
 
@@ -510,7 +511,7 @@ fn fold_call(function: Function, arguments: &[Poly]) -> Option<RBig> {
         }
         Function::Cos | Function::Exp if x.is_zero() => Some(RBig::ONE),
         Function::Log if *x == RBig::ONE => Some(RBig::ZERO),
-        _ => None,
+        _ => further::rational(function, &values),
     }
 }
 

@@ -4,7 +4,7 @@
 use deadbeat_math as math;
 
 use super::poly::{Atom, Poly};
-use super::{Function, Symbol};
+use super::{Function, Symbol, further};
 
 /// The value, given what varies; not a number where it has none.
 pub fn value(poly: &Poly, at: &dyn Fn(Symbol) -> f64) -> f64 {
@@ -49,6 +49,7 @@ fn of_call(function: Function, values: &[f64]) -> f64 {
         Function::Max => x.max(values[1]),
         Function::Tanh => math::tanh_f64(x),
         Function::Pow => math::pow_f64(x, values[1]),
+        _ => further::double(function, values).unwrap_or(f64::NAN),
     }
 }
 

@@ -20,6 +20,7 @@
 //! interval's input, so that a jump of the input costs nothing.
 
 mod ages;
+mod directions;
 mod left_out;
 mod limits;
 mod rates;
@@ -52,6 +53,7 @@ use crate::sampled::samples::{refuse_much_work, whole_samples};
 use crate::sampled::{Part, Signal};
 use crate::spec::Quantity;
 use crate::spec::reader::Table;
+use crate::step::gate::LEAST;
 use left_out::Missing;
 
 /// The registry's entry.
@@ -253,7 +255,8 @@ pub(super) fn sensor_notes(plant: &Plant, steps: usize) -> Vec<String> {
             notes.push(format!("{name} wraps every {turn}{unit}: sums are of differences to the newest sample"));
         }
         if let Some(gate) = &output.gate {
-            let (size, limit) = (number(&gate.size), gate.limit.map_or(steps, |limit| limit as usize));
+            let (size, limit) =
+                (number(&gate.size), gate.limit.map_or(steps.max(LEAST as usize), |limit| limit as usize));
             notes.push(format!("once converged, {name} further than {size}{unit} from its prediction is missing;"));
             notes.push(format!("after {limit} such samples in a row the observer starts again with the last of them"));
         }
@@ -454,8 +457,9 @@ fn unobservable(plant: &Plant, rows: &Matrix, values: &[f64]) -> Diagnostic {
             })
             .map(|j| &plant.states[j])
             .collect();
-    let names: Vec<&str> = hidden.iter().map(|s| s.label.name.as_str()).collect();
-    let outputs: Vec<&str> = plant.outputs.iter().map(|o| o.label.name.as_str()).collect();
+    let names: Vec<&str> = hidden.iter().map(|s| s.label.written.as_str()).collect();
+    let outputs: Vec<String> = plant.outputs.iter().map(|output| shown(plant, output)).collect();
+    let outputs: Vec<&str> = outputs.iter().map(String::as_str).collect();
     let smallest = values.last().copied().unwrap_or(0.0);
     let smallest_shown = if smallest > 0.0 { format!("{smallest:.1e}") } else { "0".into() };
     if hidden.is_empty() {
@@ -473,10 +477,22 @@ fn unobservable(plant: &Plant, rows: &Matrix, values: &[f64]) -> Diagnostic {
     let verb = if names.len() == 1 { "state" } else { "states" };
     let output = if outputs.len() == 1 { "output" } else { "outputs" };
     let message = format!("the {verb} {} cannot be estimated from the {output} {}", List(&names), List(&outputs));
-    Diagnostic::error(codes::UNOBSERVABLE, span, message)
-        .label(format!("rank {base} of {n}; smallest singular value {smallest_shown}"))
-        .measured(smallest)
-        .help(format!("measure {} as well, or leave the part that no output shows out of the model", one_of(&names)))
+    let error = Diagnostic::error(codes::UNOBSERVABLE, span, message).measured(smallest);
+    let measure =
+        format!("measure {} as well, or leave the part that no output shows out of the model", one_of(&names));
+    match directions::said(plant, rows, base) {
+        Some(said) if names.len() > 1 => error
+            .label(format!("rank {base} of {n}: {said}"))
+            .help(format!("{measure}, such as by states that are differences of these")),
+        _ => error.label(format!("rank {base} of {n}; smallest singular value {smallest_shown}")).help(measure),
+    }
+}
+
+/// An output's name; with what it shows, where it is called like a state and shows another.
+fn shown(plant: &Plant, output: &crate::plant::Output) -> String {
+    let name = &output.label.written;
+    let another = plant.states.iter().any(|state| state.label.written == *name) && output.equation != *name;
+    if another && !output.equation.is_empty() { format!("{name} = {}", output.equation) } else { name.clone() }
 }
 
 pub(super) fn one_of(names: &[&str]) -> String {

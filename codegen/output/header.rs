@@ -122,7 +122,7 @@ fn equations(plant: &Plant) -> Vec<String> {
         .states
         .iter()
         .filter(|state| !state.equation.is_empty())
-        .map(|state| format!("{}{prime} = {}", state.label.name, state.equation))
+        .map(|state| format!("{}{prime} = {}", state.label.written, state.equation))
         .collect();
     if lines.is_empty() {
         let kind = if plant.discrete { "x+ = A x + B u" } else { "x' = A x + B u" };
@@ -151,7 +151,7 @@ fn short_exactly(value: &crate::expr::Constant) -> String {
 
 fn measured(output: &crate::plant::Output) -> String {
     let mut text = output.label.name.clone();
-    if !output.equation.is_empty() && output.equation != output.label.name {
+    if !output.equation.is_empty() && output.equation != output.label.written {
         let _ = write!(text, " = {}", output.equation);
     }
     if !output.label.unit.is_empty() {

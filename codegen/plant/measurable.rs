@@ -13,6 +13,8 @@ pub struct Measurable {
     pub weights: Vec<Vec<(usize, Constant)>>,
     /// Per state: whether a delayed output shows it.
     pub(super) late: Vec<bool>,
+    /// Per state: whether its equation says that it does not change; empty where that is not asked.
+    pub(super) constant: Vec<bool>,
 }
 
 impl Measurable {
@@ -21,7 +23,8 @@ impl Measurable {
         let n = c.first().map_or(0, Vec::len);
         let rows: Vec<usize> = (0..c.len()).filter(|i| !delayed[*i]).collect();
         let late = (0..n).map(|j| (0..c.len()).any(|i| delayed[i] && !c[i][j].is_zero())).collect();
-        Self { weights: by_elimination(c, &rows, n).unwrap_or_else(|| by_single_entries(c, &rows, n)), late }
+        let weights = by_elimination(c, &rows, n).unwrap_or_else(|| by_single_entries(c, &rows, n));
+        Self { weights, late, constant: Vec::new() }
     }
 
     /// Whether a state is known at once.

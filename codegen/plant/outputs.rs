@@ -4,7 +4,7 @@ use crate::decimal;
 use crate::diagnostic::{Diagnostic, codes};
 use crate::expr::poly::PolyError;
 use crate::expr::{Constant, Poly, Symbol};
-use crate::spec::{self, Quantity, Text};
+use crate::spec::{self, Hold, Quantity, Text};
 
 use super::reading::{Reading, label, one_line};
 use super::sensor::Sensor;
@@ -26,6 +26,7 @@ impl Reading<'_> {
             return None;
         }
         if has_inputs {
+            self.warn_of_held(output, &inputs);
             output.feedthrough = inputs;
             output.raw_range = output.range.take();
         }
@@ -36,6 +37,21 @@ impl Reading<'_> {
         }
         output.offset = constant;
         Some(())
+    }
+
+    /// An output with an input in it that is held until the call, which nobody said of it: was it not sampled together?
+    fn warn_of_held(&mut self, output: &Output, factors: &[Constant]) {
+        let held = |input: &&spec::Input| input.hold == Hold::Zero && !input.said;
+        let inside = self.spec.inputs.iter().zip(factors).filter(|(_, factor)| !factor.is_zero());
+        let Some(input) = inside.map(|(input, _)| input).find(held) else { return };
+        let (name, of) = (&input.named.name.value, &output.label.written);
+        let message =
+            format!("`{of}` has the held input `{name}` in it: the value of the interval that ends at the sample");
+        let warning = Diagnostic::warning(codes::HELD_IN_OUTPUT, input.named.name.span.clone(), message);
+        let warning = warning.label("of a recording, the row before").context(output.label.span.clone(), "this output");
+        self.found.push(warning.help(
+            "write `hold = \"sampled\"` if it is sampled together with the output, or `hold = \"zero\"` if it is as it says",
+        ));
     }
 
     /// Proves the turns.

@@ -5,11 +5,13 @@ use std::ops::Range;
 
 use crate::decimal;
 use crate::diagnostic::{Diagnostic, codes};
-use crate::expr::{Constant, Meaning, Node, Poly, Symbol};
+use crate::expr::{Atom, Constant, Meaning, Node, Poly, Symbol};
+use crate::names;
 use crate::spec::{self, Hold, Named, Quantity, Spec, Text};
 
 use super::expression::{exists, read_constant, read_expression};
 use super::measurable::Measurable;
+use super::modes::gone_within_a_sample;
 use super::outputs::{Shown, plain_output};
 use super::sensor::Sensor;
 use super::{
@@ -123,6 +125,7 @@ impl<'a> Reading<'a> {
             vouched: if spec.target.exact_start { Vouched::Exact } else { Vouched::Bounded },
             span: spec.observer.method.span.clone(),
         };
+        self.found.extend(gone_within_a_sample(&plant));
         self.with_turns(plant, &sensors)
     }
 
@@ -321,15 +324,23 @@ impl<'a> Reading<'a> {
         let shown: Vec<Shown> = shown.into_iter().collect::<Option<_>>()?;
         let (c, direct): (Vec<_>, Vec<_>) = shown.into_iter().map(|s| (s.states, (s.inputs, s.constant))).unzip();
         let rights: Vec<Node> = rights.into_iter().collect::<Option<_>>()?;
-        let measurable = Measurable::new(&c, late);
+        let stays = |(j, right): (usize, &Node)| {
+            let own = if spec.discrete { Poly::from(Atom::Symbol(Symbol::State(j))) } else { Poly::default() };
+            right.poly == own
+        };
+        let constant = rights.iter().enumerate().map(stays).collect();
+        let measurable = Measurable { constant, ..Measurable::new(&c, late) };
         let sizes = split::Sizes {
             states: spec.states.len(),
             inputs: spec.inputs.len(),
             unknowns: spec.unknowns.len(),
             disturbances: spec.disturbances.len(),
         };
-        let sides: Vec<Option<split::Side>> =
-            rights.iter().map(|right| split::side(right, &measurable, sizes, &self.known, &mut self.found)).collect();
+        let sides: Vec<Option<split::Side>> = rights
+            .iter()
+            .enumerate()
+            .map(|right| split::side(right, &measurable, sizes, &self.known, &mut self.found))
+            .collect();
         let sides: Vec<split::Side> = sides.into_iter().collect::<Option<_>>()?;
         self.assemble(&rights, sides, c, direct)
     }
@@ -430,7 +441,8 @@ struct Shape {
 
 pub(super) fn label(named: &Named) -> Label {
     Label {
-        name: named.name.value.clone(),
+        name: names::field(&named.name.value),
+        written: named.name.value.clone(),
         unit: named.unit.clone(),
         doc: named.doc.clone(),
         span: named.name.span.clone(),
@@ -440,13 +452,18 @@ pub(super) fn label(named: &Named) -> Label {
 /// A parameter with its value; those come first among the known names, in the same order.
 fn parameter((written, (_, meaning)): (&spec::Parameter, &(String, Meaning))) -> Option<Parameter> {
     match meaning {
-        Meaning::Parameter(value) => Some(Parameter { label: label(&written.named), value: value.clone() }),
+        Meaning::Parameter(value) => {
+            // No field: it keeps its capitals.
+            let name = written.named.name.value.clone();
+            Some(Parameter { label: Label { name, ..label(&written.named) }, value: value.clone() })
+        }
         _ => None,
     }
 }
 
 fn unnamed(name: &str) -> Label {
-    Label { name: name.to_owned(), unit: String::new(), doc: String::new(), span: 0..0 }
+    let (name, written) = (names::field(name), name.to_owned());
+    Label { name, written, unit: String::new(), doc: String::new(), span: 0..0 }
 }
 
 /// An expression's text on one line.

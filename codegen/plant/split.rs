@@ -40,9 +40,9 @@ pub struct Side {
     pub nonlinear: BTreeMap<Poly, (Node, Poly)>,
 }
 
-/// Splits a right-hand side; what cannot be split is reported and gives `None`.
+/// Splits the right-hand side of a state; what cannot be split is reported and gives `None`.
 pub fn side(
-    right: &Node,
+    (state, right): (usize, &Node),
     measurable: &Measurable,
     sizes: Sizes,
     known: &[(String, Meaning)],
@@ -75,7 +75,7 @@ pub fn side(
                 let whole = Poly::monomial(monomial.clone(), coefficient.clone());
                 rest = rest.plus(&whole).unwrap_or_default();
             }
-            Class::Mistake(mistake) => found.push(mistake.explain(&varying, right, measurable, known)),
+            Class::Mistake(mistake) => found.push(mistake.explain(&varying, (state, right), measurable, known)),
         }
     }
     nonlinear(right, rest, measurable, &mut side.nonlinear);
@@ -137,7 +137,7 @@ impl Mistake {
     fn explain(
         &self,
         varying: &Monomial,
-        right: &Node,
+        (state, right): (usize, &Node),
         measurable: &Measurable,
         known: &[(String, Meaning)],
     ) -> Diagnostic {
@@ -156,11 +156,27 @@ impl Mistake {
                     .label(format!("`{what}` needs `{name}` at once"))
                     .help(format!("measure `{name}` without delay, or approximate the term by a linear one"))
             }
-            Self::State(_) if varying.without(symbol).is_some_and(|rest| !rest.symbols().contains(&symbol)) => {
+            Self::State(j) if varying.without(symbol).is_some_and(|rest| !rest.symbols().contains(&symbol)) => {
                 let message = format!("`{name}`, which is not measured, has a factor that varies");
-                Diagnostic::error(codes::NONLINEAR_STATE, span, message)
-                    .label(format!("in `{what}`; only constants may multiply `{name}`"))
-                    .help(format!("no observer method accepts this: measure `{name}` as an output of its own, or, if the factor hardly changes, make it a parameter"))
+                let error = Diagnostic::error(codes::NONLINEAR_STATE, span, message)
+                    .label(format!("in `{what}`; only constants may multiply `{name}`"));
+                let of = name_of(Symbol::State(state), known);
+                error.help(if measurable.constant.get(j).is_some_and(|constant| *constant) {
+                    format!(
+                        "`{name}` does not change: leave it out of [states], declare it under [unknowns] as `{name} = {{}}`, \
+                         and use `[observer.parameters]`, which finds constants with factors that vary"
+                    )
+                } else if measurable.shows(state) {
+                    format!(
+                        "measure `{name}` as an output of its own; or, since `{of}` is measured, make `{of}` an input and \
+                         leave out its equation and its output; or, if the factor hardly changes, make it a parameter"
+                    )
+                } else {
+                    format!(
+                        "no observer method accepts this: measure `{name}` as an output of its own, or, if the factor hardly \
+                         changes, make it a parameter"
+                    )
+                })
             }
             Self::State(_) => {
                 let message = format!("nonlinear in `{name}`, which is not measured");

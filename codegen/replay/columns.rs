@@ -1,9 +1,9 @@
 //! Which columns of a recording a step reads, and as what.
 
-use crate::plant::Plant;
+use crate::plant::{Input, Plant};
 
 use super::clock::{TimeUnit, is_time};
-use super::interface::{Count, Interface, MeasuredKind};
+use super::interface::{Count, Interface, Measured, MeasuredKind};
 use super::mistake::SignalError;
 use super::recording::{Header, Recording, RecordingError};
 use super::selection::{Selection, Source};
@@ -49,14 +49,14 @@ impl Columns {
         all: bool,
     ) -> Result<Self, SignalError> {
         let there = &header.columns;
-        let named = |name: &str| Source::named(&signals.column(name), there);
-        let read: Vec<String> = interface
-            .measurements
-            .iter()
-            .map(|field| &field.name)
-            .chain(&interface.inputs)
-            .map(|name| named(name).column)
-            .collect();
+        let own = |field: &str, written: &str| Source::named(&signals.column_of(field, written, there), there);
+        let sample = |field: &Measured| match field.kind {
+            MeasuredKind::Sample { output, .. } => own(&field.name, &plant.outputs[output].label.written),
+            MeasuredKind::Age { .. } => own(&field.name, &field.name),
+        };
+        let input = |u: &Input| own(&u.label.name, &u.label.written);
+        let read = interface.measurements.iter().map(sample).chain(plant.inputs.iter().map(input));
+        let read: Vec<String> = read.map(|source| source.column).collect();
         let (time, remark) = time(signals, header, &read).unzip();
         if let (None, Some((name, _))) = (&time, signals.age.first()) {
             return Err(SignalError::Timeless { name: name.clone() });
@@ -67,10 +67,10 @@ impl Columns {
             .measurements
             .iter()
             .map(|field| {
-                let mut place = || selection.place(named(&field.name));
+                let mut place = || selection.place(sample(field));
                 match field.kind {
                     MeasuredKind::Sample { count: Some(count), .. } => {
-                        Cell::Count(place(), count, named(&field.name).column)
+                        Cell::Count(place(), count, sample(field).column)
                     }
                     MeasuredKind::Sample { count: None, .. } => Cell::Number(place()),
                     MeasuredKind::Age { output } => match found(&signals.age, &plant.outputs[output].label.name) {
@@ -83,13 +83,16 @@ impl Columns {
                 }
             })
             .collect();
-        let inputs = plant.inputs.iter().map(|u| selection.place(named(&u.label.name))).collect();
+        let inputs = plant.inputs.iter().map(|u| selection.place(input(u))).collect();
         let read = selection.clone();
         let references = interface.answers.iter().map(|answer| {
             let column = found(&signals.reference, &answer.name).filter(|_| !answer.integer);
-            let itself = || all && !answer.integer && there.contains(&answer.name) && !read.has(&answer.name);
-            let column = column.or_else(|| itself().then(|| answer.name.clone()));
-            column.map(|column| selection.place(Source::named(&column, there)))
+            // Named like the field, or like the state as it is written.
+            let state = answer.state.filter(|_| answer.window.is_none_or(|window| window == 1));
+            let written = state.map_or(&answer.name, |state| &plant.states[state].label.written);
+            let mut names = [&answer.name, written].into_iter().filter(|_| all && !answer.integer);
+            let itself = || names.find(|name| there.contains(*name) && !read.has(name)).cloned();
+            column.or_else(itself).map(|column| selection.place(Source::named(&column, there)))
         });
         let references = references.collect();
         Ok(Self { time, measurements, inputs, references, negative_ages: 0, remark: remark.flatten() })

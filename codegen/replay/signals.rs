@@ -1,5 +1,7 @@
 //! What a caller says of a recording's columns.
 
+use crate::names;
+
 use super::clock::TimeUnit;
 use super::interface::Interface;
 use super::mistake::SignalError;
@@ -27,11 +29,14 @@ impl Signals {
         let several = all.len() != 1;
         let input = |it: &Interface, name: &str| it.inputs.iter().any(|input| input == name);
         let measured = |it: &Interface, name: &str| it.measurements.iter().any(|m| m.name == name);
-        let known = |name: &str| name == "t" || all.iter().any(|it| input(it, name) || measured(it, name));
+        let known = |name: &str| {
+            let name = &names::field(name);
+            name == "t" || all.iter().any(|it| input(it, name) || measured(it, name))
+        };
         if let Some((name, _)) = self.map.iter().find(|(name, _)| !known(name)) {
             return Err(SignalError::NotRead { name: name.clone(), several });
         }
-        let aged = |name: &str| all.iter().any(|it| measured(it, &age_of(name)));
+        let aged = |name: &str| all.iter().any(|it| measured(it, &age_of(&names::field(name))));
         if let Some((name, _)) = self.age.iter().find(|(name, _)| !aged(name)) {
             return Err(SignalError::NotAged { name: name.clone(), several });
         }
@@ -46,11 +51,18 @@ impl Signals {
     /// # Errors
     /// With the first of them.
     pub fn check_references(&self, interface: &Interface) -> Result<(), SignalError> {
-        let known = |name: &str| interface.quantities().any(|(_, answer)| answer.name == name);
+        let known = |name: &str| interface.quantities().any(|(_, answer)| answer.name == names::field(name));
         match self.reference.iter().find(|(name, _)| !known(name)) {
             Some((name, _)) => Err(SignalError::NotEstimated { name: name.clone(), of: None }),
             None => Ok(()),
         }
+    }
+
+    /// The column of a field: what was said, or what is called like it or like what the specification writes for it.
+    pub(super) fn column_of(&self, field: &str, written: &str, there: &[String]) -> String {
+        let has = |name: &str| there.iter().any(|column| column == name);
+        let own = if has(written) && !has(field) { written } else { field };
+        found(&self.map, field).unwrap_or_else(|| own.to_owned())
     }
 
     /// The column that stands for a name.
@@ -66,5 +78,5 @@ fn age_of(output: &str) -> String {
 
 /// The column that a list has for a name.
 pub(super) fn found(list: &[(String, String)], name: &str) -> Option<String> {
-    list.iter().find(|(from, _)| from == name).map(|(_, column)| column.clone())
+    list.iter().find(|(from, _)| names::field(from) == name).map(|(_, column)| column.clone())
 }

@@ -24,35 +24,60 @@ pub fn whole_samples(
     let samples = exactly_whole(time, &plant.sample_time.0);
     let mistake = match samples {
         Some(samples) if samples <= MOST => return Some(samples),
-        _ if ratio > count(MOST) => too_many(ratio, span, what),
+        _ if ratio > count(MOST) => too_many(ratio, span, what, plant.sample_time_s()),
         _ => not_whole(ratio, span, what, plant.sample_time_s()),
     };
     found.push(mistake);
     None
 }
 
-fn too_many(ratio: f64, span: &Range<usize>, what: &str) -> Diagnostic {
+fn too_many(ratio: f64, span: &Range<usize>, what: &str, h: f64) -> Diagnostic {
+    let meant = meant(ratio * h, h).map_or_else(String::new, |meant| format!("{meant}; else "));
     Diagnostic::error(codes::WINDOW_TOO_LONG, span.clone(), format!("{what} has too many samples"))
         .label(format!("{} samples; at most {MOST} are designed", show(ratio)))
         .measured(ratio)
-        .help("a shorter time, or a longer sample time")
+        .help(format!("{meant}a shorter time, or a longer sample time"))
+}
+
+/// What a whole number of seconds stands for where samples or milliseconds were meant.
+fn meant(seconds: f64, h: f64) -> Option<String> {
+    let is_count = (2.0..1e6).contains(&seconds) && show(seconds) == show(seconds.round());
+    let (samples, milliseconds) = (show(seconds * h), show(seconds / 1000.0));
+    let count = show(seconds);
+    is_count.then(|| {
+        if samples == milliseconds {
+            format!("it is in seconds: {count} samples, or ms, are {samples} s")
+        } else {
+            format!("it is in seconds: {count} samples are {samples} s, {count} ms are {milliseconds} s")
+        }
+    })
+}
+
+/// So many samples.
+fn counted(samples: f64) -> String {
+    format!("{} sample{}", show(samples), if samples == 1.0 { "" } else { "s" })
 }
 
 fn not_whole(ratio: f64, span: &Range<usize>, what: &str, h: f64) -> Diagnostic {
     let (below, above, nearest) = (ratio.floor(), ratio.ceil(), ratio.round());
-    let choice = |samples: f64| format!("{} s has {} samples", show(samples * h), show(samples));
+    let choice = |samples: f64| format!("{} s has {}", show(samples * h), counted(samples));
+    let error = Diagnostic::error(codes::NOT_WHOLE, span.clone(), format!("{what} is not a whole number of samples"));
     if nearest > 0.0 && show(ratio) == show(nearest) {
         // A time such as 0.30000000000000004, the sum of two others in binary.
-        return Diagnostic::error(codes::NOT_WHOLE, span.clone(), format!("{what} is not a whole number of samples"))
-            .label(format!("not quite {} samples of {} s", show(nearest), show(h)))
+        return error
+            .label(format!("not quite {} of {} s", counted(nearest), show(h)))
             .measured(ratio)
             .help(format!("write {}", show(nearest * h)));
     }
     let help = if below > 0.0 { format!("{}, {}", choice(below), choice(above)) } else { choice(above.max(1.0)) };
-    Diagnostic::error(codes::NOT_WHOLE, span.clone(), format!("{what} is not a whole number of samples"))
-        .label(format!("{} samples of {} s", show(ratio), show(h)))
-        .measured(ratio)
-        .help(help)
+    // A sample time of whole seconds, in which the time does not fit: milliseconds?
+    let small = ratio < 1.0 && h >= 1.0 && show(h) == show(h.round());
+    let meant = format!("`sample_time` is in seconds: {} ms are {} s; else ", show(h), show(h / 1000.0));
+    error.label(format!("{} samples of {} s", show(ratio), show(h))).measured(ratio).help(if small {
+        meant + &help
+    } else {
+        help
+    })
 }
 
 /// The most weights that are designed: 1.6 MB as doubles, more than any target of a step has.
@@ -80,7 +105,9 @@ pub fn refuse_much_work(plant: &Plant, steps: usize, span: &Range<usize>, found:
         let label = format!("{steps} samples of {n} states; at most {most} are designed");
         let error =
             Diagnostic::error(codes::WINDOW_TOO_LONG, span.clone(), message).label(label).measured(count(steps));
-        found.push(error.help("a shorter window, a longer sample time, or fewer states"));
+        let h = plant.sample_time_s();
+        let meant = meant(count(steps) * h, h).map_or_else(String::new, |meant| format!("{meant}; else "));
+        found.push(error.help(format!("{meant}a shorter window, a longer sample time, or fewer states")));
     }
 }
 

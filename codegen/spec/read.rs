@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use dashu_ratio::RBig;
+use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::chain::{self, Form};
@@ -10,21 +11,22 @@ use super::identifiers::{check_identifier, check_name, check_names};
 use super::reader::{Found, Table};
 use super::sensor::Sensor;
 use super::{
-    Chain, Disturbance, Hold, Input, Matrices, Named, Observer, Output, Parameter, ReadKeys, Settings, Spec, State,
-    Target, Text,
+    Chain, Disturbance, Hold, Input, Matrices, Named, Observer, Output, Parameter, Quantity, ReadKeys, Settings, Spec,
+    State, Target, Text, syntax,
 };
 use crate::diagnostic::{Diagnostic, Source, codes};
 use crate::program::Scalar;
 
-/// Reads a specification; `None` when a part that everything else needs is missing or wrong.
-pub(super) fn read(source: &Source, settings: Settings, keys: ReadKeys, found: &Found) -> Option<Spec> {
+/// Reads a specification, and whether nothing of it had to be made up; `None` when the rest says nothing without what is
+/// missing or wrong.
+pub(super) fn read(source: &Source, settings: Settings, keys: ReadKeys, found: &Found) -> Option<(Spec, bool)> {
     let (document, errors) = DeTable::parse_recoverable(&source.text);
     let mut in_order: Vec<_> = errors.iter().map(|error| (error.span().unwrap_or(0..0), error)).collect();
     in_order.sort_by_key(|(span, _)| span.start);
     for (span, error) in in_order {
-        let message = error.message().replace('\n', ", ");
-        let (help, ends) = syntax_help(&message);
-        found.borrow_mut().push(Diagnostic::error(codes::SYNTAX, span, message).help(help));
+        let mistake = syntax::mistake(&source.text, span, error.message());
+        let ends = mistake.ends;
+        found.borrow_mut().push(mistake.diagnostic);
         if ends {
             break;
         }
@@ -40,7 +42,7 @@ pub(super) fn read(source: &Source, settings: Settings, keys: ReadKeys, found: &
     let origin = line(&mut top, "source");
     let parameters = read_parameters(&mut top);
     let matrices = read_matrices(&mut top);
-    let observer = read_observer(&mut top, keys);
+    let (method, observer) = read_observer(&mut top, keys);
     let form = Form::of(&top, matrices.as_ref(), observer.as_ref().map(|(_, (chain, _))| chain.order));
     let (states, next) = read_states(&mut top, matrices.as_ref(), form);
     let inputs = read_inputs(&mut top);
@@ -48,12 +50,17 @@ pub(super) fn read(source: &Source, settings: Settings, keys: ReadKeys, found: &
     let unknowns = read_unknowns(&mut top);
     let disturbances = read_disturbances(&mut top);
     let target = read_target(&mut top);
-    top.finish();
-    let target = target?;
-    let (observer, (chain, one)) = observer?;
+    let tables = top.finish();
+    let all = name.is_some() && observer.is_some() && target.is_some();
+    // What a chain is, its method's keys say; and names that an unread table declares would all be unknown.
+    if form == Form::Unknown || !tables || (!all && form != Form::Equations) {
+        return None;
+    }
+    let (observer, chain) = observer.map_or_else(|| (Observer::stand_in(method), None), |(o, chain)| (o, Some(chain)));
+    let target = target.unwrap_or_else(Target::stand_in);
     let mut spec = Spec {
         source: source.clone(),
-        name: name?,
+        name: name.unwrap_or_default(),
         title,
         origin,
         parameters,
@@ -67,26 +74,11 @@ pub(super) fn read(source: &Source, settings: Settings, keys: ReadKeys, found: &
         observer,
         target: Target { scalar: settings.scalar.unwrap_or(target.scalar), ..target },
     };
-    if let Form::Chain(order) = form {
+    if let (Form::Chain(order), Some((chain, one))) = (form, chain) {
         chain::stand_in(&mut spec, order, chain, (&one, &whole()));
     }
     check_names(&spec, found);
-    Some(spec)
-}
-
-/// What to do about a message of the TOML reader; and whether what it says of the rest of the file
-/// follows from this one mistake.
-fn syntax_help(message: &str) -> (&'static str, bool) {
-    let has = |words: &[&str]| words.iter().any(|word| message.contains(word));
-    if has(&["duplicate key"]) {
-        ("remove or rename one of them", false)
-    } else if has(&["must be quoted"]) {
-        ("write numbers without a unit, and text in quotes", false)
-    } else if has(&["literal string", "basic string"]) {
-        ("begin and end it with the same quote on one line", true)
-    } else {
-        ("check the quotes, brackets and commas here and on the line before", true)
-    }
+    Some((spec, all))
 }
 
 fn read_version(top: &mut Table) {
@@ -134,12 +126,14 @@ fn read_parameters(top: &mut Table) -> Vec<Parameter> {
         let parameter = if matches!(value.get_ref(), DeValue::Table(_)) {
             let Some(mut entry) = table.entry_table(&name, value) else { continue };
             let number = entry.quantity("value");
-            if number.is_none() && !entry.has("value") {
+            // So that what uses it is no mistake too.
+            let absent = (number.is_none() && !entry.has("value")).then(|| {
                 entry.missing("value", "write `value = …`");
-            }
+                Quantity::Number(RBig::ONE, entry.span())
+            });
             let named = read_named(name, &mut entry);
             entry.finish();
-            number.map(|value| Parameter { named, value })
+            number.or(absent).map(|value| Parameter { named, value })
         } else {
             let named = Named { unit: String::new(), doc: String::new(), name: name.clone() };
             table.entry_quantity(&name, value).map(|value| Parameter { named, value })
@@ -234,8 +228,9 @@ fn read_change(entry: &mut Table, matrices: Option<&Matrices>, kinds: &mut [Opti
 
 fn read_inputs(top: &mut Table) -> Vec<Input> {
     read_entries(top, "inputs", "[inputs]", "input", |named, entry| {
-        let hold = entry.choice("hold", &[("zero", Hold::Zero), ("first", Hold::First)], Hold::Zero);
-        Input { named, hold }
+        let holds = [("zero", Hold::Zero), ("first", Hold::First), ("sampled", Hold::First)];
+        let hold = entry.choice("hold", &holds, Hold::Zero);
+        Input { named, hold, said: entry.has("hold") }
     })
 }
 
@@ -316,11 +311,12 @@ fn read_entries<T>(
     entries
 }
 
-fn read_observer(top: &mut Table, keys: ReadKeys) -> Option<(Observer, (Chain, String))> {
+/// The method's name as far as there is one, and what its keys say.
+fn read_observer(top: &mut Table, keys: ReadKeys) -> (Option<Text>, Option<(Observer, (Chain, String))>) {
     if !top.has("observer") {
         top.missing("observer", "write `[observer.window]` with `window = …` s, or another method (`deadbeat list`)");
     }
-    let mut table = top.table("observer", "[observer]")?;
+    let Some(mut table) = top.table("observer", "[observer]") else { return (None, None) };
     let entries = table.entries();
     match entries.as_slice() {
         [] => {
@@ -328,13 +324,18 @@ fn read_observer(top: &mut Table, keys: ReadKeys) -> Option<(Observer, (Chain, S
             table.report(
                 error.help("write `[observer.window]` with `window = …` s, or another method (`deadbeat list`)"),
             );
-            None
+            (None, None)
+        }
+        _ if entries.iter().any(|(_, value)| !matches!(value.get_ref(), DeValue::Table(_))) => {
+            table.report(method_as_key(&table, &entries));
+            (None, None)
         }
         [(name, value)] => {
-            let mut table = table.entry_table(name, value)?.named(format!("[observer.{}]", name.value));
+            let Some(table) = table.entry_table(name, value) else { return (None, None) };
+            let mut table = table.named(format!("[observer.{}]", name.value));
             let ahead = table.quantity("ahead");
-            let chain = keys(name, table)?;
-            Some((Observer { method: name.clone(), ahead }, chain))
+            let read = keys(name, table).map(|chain| (Observer { method: name.clone(), ahead }, chain));
+            (Some(name.clone()), read)
         }
         [first, second, ..] => {
             let message = "a specification has one observer";
@@ -343,9 +344,25 @@ fn read_observer(top: &mut Table, keys: ReadKeys) -> Option<(Observer, (Chain, S
                     .context(first.0.span.clone(), "the other")
                     .help("put the second into a file of its own"),
             );
-            None
+            (None, None)
         }
     }
+}
+
+/// Keys right below `[observer]`: the method is part of the table's name.
+fn method_as_key(table: &Table, entries: &[(Text, &Spanned<DeValue>)]) -> Diagnostic {
+    let is_table = |value: &Spanned<DeValue>| matches!(value.get_ref(), DeValue::Table(_));
+    let word = entries.iter().find_map(|(_, value)| match value.get_ref() {
+        DeValue::String(word) => Some(word.to_ascii_lowercase().replace(['_', ' '], "-")),
+        _ => None,
+    });
+    let of_table = entries.iter().find(|(_, value)| is_table(value)).map(|(name, _)| name.value.clone());
+    let place =
+        entries.iter().find(|(_, value)| !is_table(value)).map_or_else(|| table.span(), |(key, _)| key.span.clone());
+    let method = word.or(of_table).unwrap_or_else(|| "window".into());
+    let message = "the method is part of the table's name, not a key of [observer]";
+    let help = format!("write `[observer.{method}]` instead of `[observer]`, and the method's keys below it");
+    Diagnostic::error(codes::BAD_COMBINATION, place, message).help(help)
 }
 
 fn read_target(top: &mut Table) -> Option<Target> {

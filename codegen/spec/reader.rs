@@ -291,15 +291,17 @@ impl<'a> Table<'a> {
         self.as_quantity(value, &name.value)
     }
 
-    /// Reports every key that nobody asked for.
-    pub fn finish(self) {
-        for (key, _) in self.entries {
+    /// Reports every key that nobody asked for; false where one of them is a table, so that parts of the file are unread.
+    pub fn finish(self) -> bool {
+        let mut whole = true;
+        for (key, value) in self.entries {
             if self.asked.contains(key.get_ref().as_ref()) {
                 continue;
             }
+            whole &= !matches!(value.get_ref(), DeValue::Table(_));
             let message = format!("{} has no key `{}`", self.what, key.get_ref().escape_debug());
             let diagnostic = Diagnostic::error(codes::UNKNOWN_KEY, key.span(), message);
-            let diagnostic = match nearest(key.get_ref(), self.asked.iter().map(String::as_str)) {
+            let diagnostic = match self.meant(key.get_ref()) {
                 Some(close) => diagnostic.help(format!("did you mean `{close}`?")).patch(key.span(), close),
                 None => {
                     let keys: Vec<&str> = self.asked.iter().map(String::as_str).collect();
@@ -308,8 +310,31 @@ impl<'a> Table<'a> {
             };
             self.report(diagnostic);
         }
+        whole
+    }
+
+    /// The key that was meant: what other tools call it, or one that is nearly the same.
+    fn meant(&self, key: &str) -> Option<&str> {
+        let lower = key.to_ascii_lowercase();
+        let called = OTHER_WORDS.iter().filter(|(words, _)| words.split(' ').any(|word| word == lower));
+        let asked = |name: &str| self.asked.iter().map(String::as_str).find(|known| *known == name);
+        let other = called.filter_map(|(_, name)| asked(name)).find(|name| !self.has(name));
+        other.or_else(|| nearest(key, self.asked.iter().map(String::as_str)))
     }
 }
+
+/// What other tools call a key.
+const OTHER_WORDS: [(&str, &str); 9] = [
+    ("dot der ddt deriv rhs equation xdot ode", "derivative"),
+    ("update successor step", "next"),
+    ("expr expression formula equation", "value"),
+    ("ts dt h period sampling_time sample_period samplingtime step", "sample_time"),
+    ("units", "unit"),
+    ("x0 init start", "initial"),
+    ("length horizon", "window"),
+    ("latency lag", "delay"),
+    ("description comment", "doc"),
+];
 
 /// The digits of a number, an error text for one that is not decimal, `None` for what is no number.
 fn digits_of(value: &DeValue<'_>) -> Option<Result<String, String>> {

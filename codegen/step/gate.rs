@@ -7,6 +7,9 @@ use crate::program::builder::Builder;
 use crate::program::{CellId, Value};
 use crate::sampled::settled::round;
 
+/// The fewest samples in a row that are no accident, where the gate does not say how many: outliers come in bursts.
+pub const LEAST: u32 = 10;
+
 /// Per output with a gate, the count of its samples rejected in a row.
 pub(crate) fn cells(b: &mut Builder, plant: &Plant) -> Vec<Option<CellId>> {
     let cell = |output: &Output| {
@@ -38,7 +41,7 @@ impl Look<'_> {
     /// again with it.
     pub(crate) fn judge(&self, b: &mut Builder, plant: &Plant, good: Value) -> (Value, Value) {
         let size = round(&self.gate.size, plant.scalar);
-        let limit = self.gate.limit.unwrap_or(self.patience).max(1);
+        let limit = self.gate.limit.unwrap_or(self.patience.max(LEAST)).max(1);
         let near = b.in_range(self.distance, -size, size);
         let far = b.not(near);
         let far = b.and(self.usable, far);

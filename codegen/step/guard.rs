@@ -168,7 +168,25 @@ impl Ranges<'_> {
                 Some(Interval::new(ranges[0].low.min(ranges[1].low), ranges[0].high.max(ranges[1].high)))
             }
             Function::Exp => Some(Interval::new(0.0, deadbeat_math::exp_f64(ranges[0].high))),
-            Function::Tan | Function::Asin | Function::Acos | Function::Log | Function::Sqrt | Function::Pow => None,
+            Function::Exp2 => Some(Interval::new(0.0, deadbeat_math::pow_f64(2.0, ranges[0].high))),
+            Function::Cosh | Function::Sinh => {
+                let most = deadbeat_math::exp_f64(ranges[0].magnitude());
+                Some(Interval::new(-most, most))
+            }
+            // Three times the square of the root, and one more, are below the argument where that is large.
+            Function::Cbrt | Function::Floor => {
+                let most = 3.0 * (ranges[0].magnitude() + 9.0);
+                Some(Interval::new(-most, most))
+            }
+            Function::Hypot => Some(Interval::new(0.0, 2.0 * (ranges[0].magnitude() + ranges[1].magnitude()))),
+            Function::Tan
+            | Function::Asin
+            | Function::Acos
+            | Function::Log
+            | Function::Log10
+            | Function::Log2
+            | Function::Sqrt
+            | Function::Pow => None,
         }
     }
 

@@ -7,6 +7,8 @@ use crate::program::builder::Builder;
 use crate::program::{self, CellId, Scalar, Value};
 use crate::sampled::settled::round;
 
+use super::composed;
+
 /// When an injection is evaluated.
 pub enum Moment {
     /// With the samples of this call.
@@ -261,6 +263,9 @@ impl Place<'_> {
 
     fn call(&self, b: &mut Builder, function: Function, arguments: &[Node]) -> Value {
         let values: Vec<Value> = arguments.iter().map(|a| self.node(b, a)).collect();
+        if let Some(value) = composed::call(b, function, &values) {
+            return value;
+        }
         let runtime = match function {
             Function::Abs => return b.absolute(values[0]),
             Function::Sign => return b.sign(values[0]),
@@ -278,6 +283,7 @@ impl Place<'_> {
             Function::Sqrt => program::Function::Sqrt,
             Function::Tanh => program::Function::Tanh,
             Function::Pow => program::Function::Pow,
+            _ => unreachable!("the others are composed"),
         };
         b.call(runtime, &values)
     }

@@ -70,6 +70,7 @@ mod files {
     mod contract;
     mod endurance;
     mod equal_corpus;
+    mod equal_functions;
     mod equal_random;
     mod golden;
     mod interpreter;
@@ -84,6 +85,7 @@ mod tool {
     mod doors;
     mod features;
     mod limits;
+    mod names;
     mod options;
     mod readme;
     mod replay;

@@ -136,7 +136,7 @@ impl Cells {
             missed: Vec::new(),
             rejected,
             // As many as convergence takes, and one alone never.
-            patience: self::calls(design.valid).max(2),
+            patience: self::calls(design.valid),
             coasted,
         };
         (Self { state, low, left, good, clean, given, phase, due }, sensors)

@@ -137,9 +137,9 @@ fn node_of(poly: &Poly, span: &Range<usize>) -> Node {
 
 fn names(plant: &Plant) -> Vec<(String, Meaning)> {
     let states =
-        plant.states.iter().enumerate().map(|(j, s)| (s.label.name.clone(), Meaning::Symbol(Symbol::State(j))));
+        plant.states.iter().enumerate().map(|(j, s)| (s.label.written.clone(), Meaning::Symbol(Symbol::State(j))));
     let inputs =
-        plant.inputs.iter().enumerate().map(|(i, u)| (u.label.name.clone(), Meaning::Symbol(Symbol::Input(i))));
+        plant.inputs.iter().enumerate().map(|(i, u)| (u.label.written.clone(), Meaning::Symbol(Symbol::Input(i))));
     states.chain(inputs).collect()
 }
 

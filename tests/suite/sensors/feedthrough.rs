@@ -9,6 +9,7 @@ use std::fmt::Write as _;
 
 use deadbeat_codegen::diagnostic::codes;
 use deadbeat_codegen::program::Scalar;
+use deadbeat_codegen::replay::{Recording, Replay, Signals};
 use deadbeat_codegen::{Generator, Settings};
 use linear::Linear;
 use plant::{Random, UNIT, functional, rounding};
@@ -81,4 +82,44 @@ fn inputs_and_constants_are_taken_out_of_the_sample() {
     }
     println!("{tried} plants, {refused} refused");
     assert!(refused * 10 <= tried, "{refused} refused");
+}
+
+/// A cell of 1 As whose voltage has its current in it, sampled together.
+fn cell(hold: &str) -> String {
+    format!(
+        "deadbeat = 1\nname = 'cell'\n[states]\nx = {{ unit = 'V', derivative = '-i' }}\n[inputs]\n\
+         i = {{ unit = 'A'{hold} }}\n[outputs]\nv = {{ unit = 'V', value = 'x - 0.1*i', noise = 1e-3 }}\n[observer.window]\n\
+         window = 0.2\n[target]\nsample_time = 0.01\nscalar = 'f64'\n"
+    )
+}
+
+/// A held input in an output that nobody said to be one is warned of; a sampled one is that of the recording's own row.
+#[test]
+fn an_input_that_is_sampled_with_the_output_is_that_of_its_row() {
+    let warned = |hold: &str| {
+        let report = Generator::new(&cell(hold), "cell.toml").check();
+        assert!(!report.has_errors(), "{}", report.render(false));
+        report.diagnostics.iter().any(|mistake| mistake.code == codes::HELD_IN_OUTPUT)
+    };
+    assert!(warned(""));
+    assert!(!warned(", hold = 'zero'") && !warned(", hold = 'first'") && !warned(", hold = 'sampled'"));
+    // i = sin 2t, so that x = 1 - (1 - cos 2t)/2.
+    let row = |k: u32| {
+        let t = f64::from(k) * 0.01;
+        let (i, x) = ((2.0 * t).sin(), 1.0 - (1.0 - (2.0 * t).cos()) / 2.0);
+        format!("{t},{},{i},{x}\n", x - 0.1 * i)
+    };
+    let rows: String = (0..400).map(row).collect();
+    let largest = |hold: &str| {
+        let generated = plant::designed(&cell(hold));
+        let recording = Recording::open(std::io::Cursor::new(format!("t,v,i,x\n{rows}")), "cell.csv").unwrap();
+        let mut replay = Replay::new(&generated, recording, &Signals::default()).unwrap();
+        assert!(replay.by_ref().all(|step| step.is_ok()));
+        replay.verdict().errors("x").and_then(|errors| errors.max).unwrap()
+    };
+    // A straight line is off by h^2/8 times the second derivative, 4 A/s^2, for a window of 0.2 s. The row before is off by
+    // 0.1 ohm times the 0.02 A of a sample, less the charge of half a sample a call, for half of the window: 1e-3 V.
+    let (sampled, held) = (largest(", hold = 'sampled'"), largest(", hold = 'zero'"));
+    assert!(sampled < 5e-5 * 0.2 * 2.0, "{sampled}");
+    assert!(held > 8e-4, "{held}");
 }

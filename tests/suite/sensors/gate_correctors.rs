@@ -86,14 +86,14 @@ fn outliers_are_missing_samples() {
 }
 
 /// A jump of 1 rad: rejected so often, then the observer starts again with it, by default after as many calls as it takes
-/// to converge.
+/// to converge, and after no fewer than 10: outliers come in bursts.
 #[test]
 fn a_true_jump_is_followed() {
     for method in METHODS {
         for (gate, limit) in [(", gate = 0.1, gate_limit = 20", Some(20)), (", gate = 0.1", None)] {
             let generated = designed(&specification(method, gate));
             let valid = generated.design.valid_from_step;
-            let limit = limit.unwrap_or(valid.max(2));
+            let limit = limit.unwrap_or(valid.max(10));
             let jump = 4 * valid + 1_000;
             let samples: Vec<f64> =
                 (0..jump + limit + 2 * valid + 400).map(|k| f64::from(u8::from(k >= jump))).collect();

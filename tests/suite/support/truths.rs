@@ -149,7 +149,7 @@ fn battery() -> Truth {
         change: Box::new(|_, x, u| vec![-u[0] / (3600.0 * 2.9), u[0] / 2400.0 - x[1] / (0.015 * 2400.0)]),
         outputs: Box::new(|x, u| vec![3.2 + 0.9 * x[0] - x[1] - 0.02 * u[0]]),
         delays: vec![0.0],
-        holds: vec![Hold::Zero],
+        holds: vec![Hold::First],
         start: vec![(0.2, 0.9), (-0.02, 0.05)],
         input: vec![(-3.0, 6.0)],
         exact: true,

@@ -134,7 +134,7 @@ fn usage() {
     }
     assert!(desk.run("--help").is(0).out.contains("generate"));
     assert!(desk.run("--version").is(0).out.contains(env!("CARGO_PKG_VERSION")));
-    desk.run("check nosuch.toml").is(1).complains(&["cannot read nosuch.toml"]);
+    desk.run("check nosuch.toml").is(1).complains(&["cannot read `nosuch.toml`"]);
     desk.run("run pendulum.toml --log nosuch.csv").is(1).complains(&["cannot read nosuch.csv"]);
     assert_eq!(desk.names("."), ["dc_motor.toml", "pendulum.toml"], "nothing was written");
 }
@@ -181,6 +181,16 @@ fn check() {
     assert_eq!(desk.run("check pendulum.toml dc_motor.toml").is(0).out, "2 of 2 fine\n");
     let ended = desk.run("check pendulum.toml bad.toml").is(1).complains(&["error[DB0202]", "bad.toml:"]);
     assert_eq!(ended.out, "1 of 2 fine\n");
+    // A file that is not there, or is no text, says nothing of the others.
+    fs::write(desk.path("latin.toml"), b"deadbeat = 1\nname = \"caf\xe9\"\n").expect("a file");
+    let ended = desk.run("check pendulum.toml nosuch.toml latin.toml bad.toml").is(1);
+    assert_eq!(ended.out, "1 of 4 fine\n");
+    ended.complains(&[
+        "cannot read `nosuch.toml`",
+        "`latin.toml` is not UTF-8: byte 0xe9 in line 2, column 12",
+        "bad.toml:",
+    ]);
+    fs::remove_file(desk.path("latin.toml")).expect("it was there");
     let text = desk.read("bad.toml");
     desk.fed("check -", &text).is(1).complains(&["standard input:"]);
     assert_eq!(desk.fed("check -", &desk.read("pendulum.toml")).is(0).out, "1 of 1 fine\n");
@@ -456,6 +466,7 @@ fn list() {
         }
         assert_eq!(desk.run(&format!("list {} --format json", method.name)).is(0).json(), *listed);
     }
+    desk.run("list windw").is(3).complains(&["there is no method `windw`; did you mean `window`?"]);
     desk.run("list nosuch").is(3).complains(&["there is no method `nosuch`", METHODS[0].name]);
 }
 

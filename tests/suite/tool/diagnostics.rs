@@ -75,6 +75,8 @@ fn every_code_is_covered() {
         codes::FLOAT_RESOLUTION,
         codes::ROUNDING,
         codes::WEAK,
+        codes::WEAK_SAMPLES,
+        codes::HELD_IN_OUTPUT,
         codes::NOISE,
         // Mistakes of a call, not of a specification: see `builder`.
         codes::FILE,
