@@ -140,9 +140,9 @@ fn what_is_forgotten_soon_needs_no_second_float() {
 /// Observers of a position and a velocity by their tables, `{k}` being a speed, 1/s; and by how much what is printed may be
 /// larger than what is found. The bounds of realisations that stand in for a sum are of their largest numbers throughout.
 const METHODS: [(&str, &str, f64); 10] = [
-    ("luenberger", "[observer.luenberger]\npoles = ['-1*{k}', '-1.5*{k}']", 100.0),
+    ("luenberger", "[observer.luenberger]\npoles = ['-1*{k}', '-1.5*{k}']", 150.0),
     ("kalman", "[observer.kalman]\nprocess_noise = [0, '1e-9*{k}']\nmeasurement_noise = [1e-6]", 200.0),
-    ("high-gain", "[observer.high-gain]\ngain = '{k}'\npoles = [-1, -1.2]", 100.0),
+    ("high-gain", "[observer.high-gain]\ngain = '{k}'\npoles = [-1, -1.2]", 150.0),
     ("hold", "[observer.prescribed-time]\ntime = 0.5", 100.0),
     ("restart", "[observer.prescribed-time]\ntime = 0.5\nafter = 'restart'", 150.0),
     ("fixed-time", "[observer.fixed-time-linear]", 100.0),
