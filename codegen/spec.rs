@@ -301,6 +301,6 @@ impl Target {
     /// Where it could not be read.
     fn stand_in() -> Self {
         let sample_time = Quantity::Number(RBig::ONE, 0..0);
-        Self { sample_time, scalar: Scalar::F64, jitter: None, coasted: false, init_at: false }
+        Self { sample_time, scalar: Scalar::F64, jitter: None, coasted: false, init_at: false, exact_start: false }
     }
 }
