@@ -104,7 +104,7 @@ mod tests {
         };
         let is = |column: &str, factor: f64| (column.to_owned(), factor);
         assert_eq!(named("vel"), is("vel", 1.0));
-        assert_eq!(named("vel*0.001534"), is("vel", 0.001534));
+        assert_eq!(named("vel*0.001534"), is("vel", 0.001_534));
         assert_eq!(named("vel * pi / 180"), is("vel", std::f64::consts::PI / 180.0));
         assert_eq!(named("-2.5*vel"), is("vel", -2.5));
         assert_eq!(named("a/2"), is("a/2", 1.0));

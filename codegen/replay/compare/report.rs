@@ -82,7 +82,7 @@ pub fn text(contest: &Contest) -> String {
     }
     let residuals = contest.rivals.iter().flat_map(|rival| rival.residuals.iter().map(move |it| (rival, it)));
     for (place, (rival, residual)) in residuals.enumerate() {
-        let _ = write!(text, "{}{}: {}\n", if place == 0 { "\n" } else { "" }, rival.name, residual.shown());
+        let _ = writeln!(text, "{}{}: {}", if place == 0 { "\n" } else { "" }, rival.name, residual.shown());
     }
     text
 }

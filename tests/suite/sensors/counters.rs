@@ -151,7 +151,8 @@ fn a_turn_that_moves_a_load_is_refused() {
 fn a_replay_hides_no_move() {
     let accepted = designed(&edited(SPRUNG, "noise = 1e-3", "noise = 1e-3, turn_moves = 'accept'"));
     // At rest at q = 8 rad with a load that holds it there: w' = -m - 3 q = 0.
-    let rows: String = (0..200).map(|k| format!("{:.3},{},0,{},-24\n", f64::from(k) * 1e-3, 8.0 - TAU, 8.0)).collect();
+    let row = |k: i32| format!("{:.3},{},0,{},-24\n", f64::from(k) * 1e-3, 8.0 - TAU, 8.0);
+    let rows = (0..200).map(row).collect::<Vec<_>>().concat();
     let recording = Recording::open(std::io::Cursor::new(format!("t,y,u,q,m\n{rows}")), "rest.csv").unwrap();
     let mut replay = Replay::new(&accepted, recording, &Signals::default()).unwrap();
     assert!(replay.by_ref().all(|step| step.is_ok()));

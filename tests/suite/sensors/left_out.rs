@@ -54,6 +54,7 @@ fn lose(run: &mut Run, steps: usize, random: &mut Random) {
 /// What the samples that are there say of the state at a call, by the rules that the step has; `None` when it is too near
 /// to say.
 #[derive(Clone, Copy, PartialEq)]
+#[expect(clippy::struct_excessive_bools, reason = "four answers, each asked for on its own")]
 struct Worth {
     sound: bool,
     good: bool,

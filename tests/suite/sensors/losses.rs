@@ -217,7 +217,7 @@ fn every_linear_plant_keeps_its_bound() {
         }
         let (steps, p) = (linear.steps, linear.delays.len());
         let calls = 4 * steps;
-        let due = |call: usize, o: usize| call % linear.every.get(o).copied().unwrap_or(1) == 0;
+        let due = |call: usize, o: usize| call.is_multiple_of(linear.every.get(o).copied().unwrap_or(1));
         let full = at_rest(&generated, calls, &due).through(&generated);
         assert!(full.statuses[steps..].iter().all(|status| *status == Status::Converged), "seed {seed}\n{text}");
         let percent = [5, 25, 50][random.below(3)];

@@ -121,7 +121,7 @@ fn example(method: &str, limit: &Limit, words: &str) -> [Spec; 2] {
         ("single-delay", Feature::Counter, _) => {
             let keys = "window = 0.2\nintermittent = { min = 0.01, max = 0.02 }";
             let states = MASS;
-            let spec = Spec { keys, states, ..sensor("sample = 'i32', quantum = 1e-3, wrap = 'counter'") };
+            let spec = Spec { states, keys, ..sensor("sample = 'i32', quantum = 1e-3, wrap = 'counter'") };
             [spec, Spec { target: "scalar = 'f64'", ..spec }]
         }
         ("parameters", Feature::Delay, "of a discrete plant, with `form = \"paper\"`") => {

@@ -55,10 +55,11 @@ pub(crate) fn solve(
         sound = b.and(sound, above);
         let pivot = b.select(above, g[k][k], one);
         let factors: Vec<Value> = (k + 1..n).map(|i| b.div(g[k][i], pivot)).collect();
+        let row = g[k].clone();
         for (i, factor) in (k + 1..n).zip(&factors) {
-            for j in i..n {
-                let product = b.mul(*factor, g[k][j]);
-                g[i][j] = b.sub(g[i][j], product);
+            for (entry, above) in g[i].iter_mut().zip(&row).skip(i) {
+                let product = b.mul(*factor, *above);
+                *entry = b.sub(*entry, product);
             }
             let product = b.mul(*factor, z[k]);
             z[i] = b.sub(z[i], product);
