@@ -1,7 +1,8 @@
 //! Whether the equations agree with the units that are written beside them.
 //!
 //! A number in a product, and a quantity without a unit, may carry any unit: what they stand in is not checked. `0.5*v`
-//! may be a rate times a speed; `1/tau` has no number but the one above the line.
+//! may be a rate times a speed; `1/tau` has no number but the one above the line. Beside such numbers a factor may have been
+//! left out because it is 1, as in `force - 0.8*v`: another kind of quantity is no mistake there, but another size is.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -81,6 +82,8 @@ struct Units<'a> {
 struct Walk<'a, 'b> {
     units: &'b mut Units<'a>,
     text: &'b Text,
+    /// Whether a number stands in it that may carry a unit.
+    numbers: bool,
 }
 
 impl<'a> Units<'a> {
@@ -106,24 +109,26 @@ impl<'a> Units<'a> {
     /// Compares an expression with what it is written for.
     fn relate(&mut self, named: &Named, text: &Text, relation: Relation) {
         let Ok(expr) = parse::parse(&text.value) else { return };
-        let Some(unit) = (Walk { units: self, text }).term(&expr) else { return };
+        let numbers = has_number(&expr);
+        let Some(unit) = (Walk { units: self, text, numbers }).term(&expr) else { return };
         let per = if relation == Relation::Derivative { (-1, 1) } else { (0, 1) };
         let second = Unit::word("s");
         let Ok(own) = Unit::parse(&named.unit) else { return };
         if named.unit.is_empty() {
-            if let Some(own) = unit.times(&second, (-per.0, 1)).filter(|own| !own.si().is_number()) {
+            if let Some(own) = unit.times(&second, (-per.0, 1)).filter(|own| !numbers && !own.si().is_number()) {
                 self.found.push(missing(named, &own, &unit, relation));
             }
             return;
         }
         let Some(wanted) = own.times(&second, per) else { return };
         if wanted.si() != unit.si() {
-            let error = differs(named, relation, (&wanted, &unit), (&expr, text));
+            let error = differs(named, relation, (&wanted, &unit), (&expr, text, numbers));
             let named_here = match &expr.kind {
                 Kind::Name(name) if name != "t" => Some(name),
                 _ => None,
             };
-            self.found.push(error.help(way_out(&expr, text, (&unit, &wanted), named_here.map(String::as_str))));
+            let help = || way_out(&expr, text, (&unit, &wanted), named_here.map(String::as_str));
+            self.found.extend(error.map(|error| error.help(help())));
         }
     }
 }
@@ -216,8 +221,9 @@ impl Walk<'_, '_> {
         let wanted = if unit.si().is_number() { Unit::word("rad") } else { number };
         let kind = if unit.si().is_number() { "rad" } else { "a number" };
         let message = format!("{what} must be {kind}, and `{}` is in {unit}", self.text_of(expr));
-        let error = mistake(&unit, &wanted, self.text.place(expr.span.clone()), message);
-        self.units.found.push(error.help(way_out(expr, self.text, (&unit, &wanted), None)));
+        let error = mistake((&unit, &wanted), has_number(expr), self.text.place(expr.span.clone()), message);
+        let help = || way_out(expr, self.text, (&unit, &wanted), None);
+        self.units.found.extend(error.map(|error| error.help(help())));
     }
 
     /// The one unit of several parts: that of the first which has one.
@@ -229,13 +235,9 @@ impl Walk<'_, '_> {
                 (Some(unit), Some((other, wanted))) if unit.si() != wanted.si() => {
                     let (this, that) = (self.text_of(part), self.text_of(other));
                     let message = format!("{what} must be in one unit: `{that}` is in {wanted}, `{this}` in {unit}");
-                    let error = mistake(&unit, wanted, self.text.place(part.span.clone()), message).help(way_out(
-                        part,
-                        self.text,
-                        (&unit, wanted),
-                        None,
-                    ));
-                    self.units.found.push(error);
+                    let error = mistake((&unit, wanted), self.numbers, self.text.place(part.span.clone()), message);
+                    let help = || way_out(part, self.text, (&unit, wanted), None);
+                    self.units.found.extend(error.map(|error| error.help(help())));
                     return None;
                 }
                 _ => {}
@@ -246,6 +248,24 @@ impl Walk<'_, '_> {
 
     fn text_of(&self, expr: &Expr) -> String {
         written(expr, self.text)
+    }
+}
+
+/// Whether a product has a number in it that may carry a unit.
+fn has_number(expr: &Expr) -> bool {
+    match &expr.kind {
+        Kind::Number(_) | Kind::Name(_) => false,
+        Kind::Sum(terms) => terms.iter().any(|(_, term)| matches!(term.kind, Kind::Number(_)) || has_number(term)),
+        Kind::Product(factors) => {
+            let above = |place: usize| place == 0 && factors[1..].iter().all(|(divided, _)| *divided);
+            let carries = |(place, (_, factor)): (usize, &(bool, Expr))| {
+                matches!(&factor.kind, Kind::Number(value) if !(above(place) && *value == RBig::ONE))
+                    || has_number(factor)
+            };
+            factors.iter().enumerate().any(carries)
+        }
+        Kind::Negative(inner) | Kind::Power(inner, _) => has_number(inner),
+        Kind::Call(_, arguments) => arguments.iter().any(has_number),
     }
 }
 
@@ -285,18 +305,20 @@ fn constant(exponent: &Expr) -> Option<(i32, i32)> {
     }
 }
 
-/// An error; a warning where a word that is a unit of its own decides, since it may be another's name.
-fn mistake(unit: &Unit, wanted: &Unit, span: Range<usize>, message: String) -> Diagnostic {
-    let own = unit.si().has_own() || wanted.si().has_own();
-    (if own { Diagnostic::warning } else { Diagnostic::error })(codes::UNITS, span, message)
+/// An error; a warning where a word that is a unit of its own decides, since it may be another's name; none where a factor
+/// 1 may have been left out.
+fn mistake((unit, wanted): (&Unit, &Unit), numbers: bool, span: Range<usize>, message: String) -> Option<Diagnostic> {
+    let (unit, wanted) = (unit.si(), wanted.si());
+    let level = if unit.has_own() || wanted.has_own() { Diagnostic::warning } else { Diagnostic::error };
+    (!numbers || unit.alike(&wanted)).then(|| level(codes::UNITS, span, message))
 }
 
 fn differs(
     named: &Named,
     relation: Relation,
     (wanted, unit): (&Unit, &Unit),
-    (expr, text): (&Expr, &Text),
-) -> Diagnostic {
+    (expr, text, numbers): (&Expr, &Text, bool),
+) -> Option<Diagnostic> {
     let name = &named.name.value;
     let message = format!(
         "{} must be in {wanted}, since `{name}` is in {}, and `{}` is in {unit}",
@@ -304,7 +326,7 @@ fn differs(
         named.unit,
         super::words::shortened(written(expr, text))
     );
-    mistake(unit, wanted, text.place(expr.span.clone()), message)
+    mistake((unit, wanted), numbers, text.place(expr.span.clone()), message)
 }
 
 /// What to write: a factor where the units are of one kind.

@@ -64,11 +64,6 @@ impl Signals {
         let own = if has(written) && !has(field) { written } else { field };
         found(&self.map, field).unwrap_or_else(|| own.to_owned())
     }
-
-    /// The column that stands for a name.
-    pub(super) fn column(&self, name: &str) -> String {
-        found(&self.map, name).unwrap_or_else(|| name.to_owned())
-    }
 }
 
 /// The field that says how old an output's sample is.

@@ -311,8 +311,11 @@ fn read_entries<T>(
     entries
 }
 
+/// The observer, and what its method's keys say.
+type ReadObserver = (Observer, (Chain, String));
+
 /// The method's name as far as there is one, and what its keys say.
-fn read_observer(top: &mut Table, keys: ReadKeys) -> (Option<Text>, Option<(Observer, (Chain, String))>) {
+fn read_observer(top: &mut Table, keys: ReadKeys) -> (Option<Text>, Option<ReadObserver>) {
     if !top.has("observer") {
         top.missing("observer", "write `[observer.window]` with `window = …` s, or another method (`deadbeat list`)");
     }

@@ -117,9 +117,9 @@ static void camera_prescribed_part_1(camera_prescribed_state *state, const camer
     work->t86 = t76 ? t83 : t85;
     state->good = work->t86;
     const uint32_t t87 = state->clean;
-    const uint32_t t88 = (t87 < 64U) ? (t87 + 1U) : 64U;
+    const uint32_t t88 = (t87 < 67U) ? (t87 + 1U) : 67U;
     const uint32_t t89 = t28 ? t88 : 0U;
-    work->t91 = t76 ? 64U : t89;
+    work->t91 = t76 ? 67U : t89;
     state->clean = work->t91;
 }
 
@@ -128,7 +128,7 @@ static void camera_prescribed_part_2(camera_prescribed_work *work)
 {
     /* the estimate */
     const int t93 = 8U < work->t86;
-    const int t94 = 63U < work->t91;
+    const int t94 = 66U < work->t91;
     const camera_prescribed_status t98 = t94 ? CAMERA_PRESCRIBED_CONVERGED : CAMERA_PRESCRIBED_COASTING;
     work->t99 = t93 ? t98 : CAMERA_PRESCRIBED_CONVERGING;
 }

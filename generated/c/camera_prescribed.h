@@ -11,7 +11,7 @@
  * Measured   x [m]
  * Method     prescribed-time: gains for T = 0.4 s (10 samples, 0.04 s apart), counted down to 2 before it; then the last gain stays
  * Converged  from call 65 (0.32 s after the first), when 1.957e-4 of the initial error is left, by its effect on outputs
- * Coasting   from a missing sample on, until 64 good calls in a row have followed
+ * Coasting   from a missing sample on, until 67 good calls in a row have followed
  *            scaled errors fall like (T-t)^10.5 (above 1 is needed)
  *            process noise from the disturbances w: uniform within the bound (variance bound^2/3), new at every sample and held until the next
  *            measurement noise from the outputs' bounds: uniform (variance bound^2/3); standard deviations x 2.887e-4
@@ -82,7 +82,7 @@ typedef struct {
     double v;         /* v as last estimated */
     uint32_t left;    /* calls of the countdown that are left */
     uint32_t good;    /* good calls, at most 9 */
-    uint32_t clean;   /* good calls in a row, at most 64 */
+    uint32_t clean;   /* good calls in a row, at most 67 */
     double last_i;    /* i of the last call */
     uint32_t until_x; /* calls until x is due */
 } camera_prescribed_state;

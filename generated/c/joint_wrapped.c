@@ -488,14 +488,14 @@ static void joint_wrapped_part_2(joint_wrapped_state *state, joint_wrapped_work 
     const uint32_t t122 = t114 ? t119 : t121;
     state->good = t122;
     const uint32_t t123 = state->clean;
-    const uint32_t t124 = (t123 < 99U) ? (t123 + 1U) : 99U;
+    const uint32_t t124 = (t123 < 110U) ? (t123 + 1U) : 110U;
     const uint32_t t125 = work->flags[2] ? t124 : 0U;
-    const uint32_t t127 = t114 ? 99U : t125;
+    const uint32_t t127 = t114 ? 110U : t125;
     state->clean = t127;
 
     /* the estimate */
     const int t129 = 89U < t122;
-    const int t130 = 98U < t127;
+    const int t130 = 109U < t127;
     const joint_wrapped_status t134 = t130 ? JOINT_WRAPPED_CONVERGED : JOINT_WRAPPED_COASTING;
     work->t135 = t129 ? t134 : JOINT_WRAPPED_CONVERGING;
 }

@@ -12,7 +12,7 @@
  * Measured   angle = q [rad]
  * Method     kalman: steady Kalman filter of one output; current estimator
  * Converged  from call 90 (0.445 s after the first) to 1e-6 of the initial error; by 0.8539 a call
- * Coasting   from a missing sample on, until 99 good calls in a row have followed
+ * Coasting   from a missing sample on, until 110 good calls in a row have followed
  *            process noise from the disturbances w: uniform within the bound (variance bound^2/3), new at every sample and held until the next
  *            measurement noise from the outputs' bounds: uniform (variance bound^2/3); standard deviations angle 5.774e-4
  *            standard deviations for this noise, without what it does through nonlinear terms: q 0.0002995 rad, dq 0.01386 rad/s
@@ -85,7 +85,7 @@ typedef struct {
     float q;                 /* q as last estimated */
     float dq;                /* dq as last estimated */
     uint32_t good;           /* good calls, at most 90 */
-    uint32_t clean;          /* good calls in a row, at most 99 */
+    uint32_t clean;          /* good calls in a row, at most 110 */
     float last_angle;        /* the last angle, measured or predicted */
     float last_i;            /* i of the last call */
     float last_known1;       /* sin(q) of the last call */

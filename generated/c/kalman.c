@@ -414,19 +414,19 @@ void kalman_step(kalman_state *state, const kalman_measurements *measurements,
     const float t49 = t46 ? 0.0f : t37;
     state->omega = t49;
     const uint32_t t51 = t1 ? 1U : 0U;
-    const uint32_t t52 = (t39 < 398U) ? (t39 + 1U) : 398U;
+    const uint32_t t52 = (t39 < 397U) ? (t39 + 1U) : 397U;
     const uint32_t t53 = t1 ? t52 : t39;
     const uint32_t t54 = t46 ? t51 : t53;
     state->good = t54;
     const uint32_t t55 = state->clean;
-    const uint32_t t56 = (t55 < 440U) ? (t55 + 1U) : 440U;
+    const uint32_t t56 = (t55 < 492U) ? (t55 + 1U) : 492U;
     const uint32_t t57 = t1 ? t56 : 0U;
-    const uint32_t t59 = t46 ? 440U : t57;
+    const uint32_t t59 = t46 ? 492U : t57;
     state->clean = t59;
 
     /* the estimate */
-    const int t62 = 397U < t54;
-    const int t63 = 439U < t59;
+    const int t62 = 396U < t54;
+    const int t63 = 491U < t59;
     const kalman_status t67 = t63 ? KALMAN_CONVERGED : KALMAN_COASTING;
     const kalman_status t68 = t62 ? t67 : KALMAN_CONVERGING;
 

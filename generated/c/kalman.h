@@ -11,8 +11,8 @@
  *              friction = 0.067227 1/s, viscous friction over the same inertia
  * Measured   theta [rad]
  * Method     kalman: steady Kalman filter of one output; current estimator
- * Converged  from call 398 (0.397 s after the first) to 1e-6 of the initial error; by 0.9653 a call
- * Coasting   from a missing sample on, until 440 good calls in a row have followed
+ * Converged  from call 397 (0.396 s after the first) to 1e-6 of the initial error; by 0.9653 a call
+ * Coasting   from a missing sample on, until 492 good calls in a row have followed
  *            process noise from the disturbances push: uniform within the bound (variance bound^2/3), new at every sample and held until the next
  *            measurement noise from the outputs' bounds: uniform (variance bound^2/3); standard deviations theta 1.155e-4
  *            standard deviations for this noise, without what it does through nonlinear terms: theta 0.00003016 rad, omega 0.00152 rad/s
@@ -78,8 +78,8 @@ typedef struct {
 typedef struct {
     float theta;       /* theta as last estimated */
     float omega;       /* omega as last estimated */
-    uint32_t good;     /* good calls, at most 398 */
-    uint32_t clean;    /* good calls in a row, at most 440 */
+    uint32_t good;     /* good calls, at most 397 */
+    uint32_t clean;    /* good calls in a row, at most 492 */
     float last_theta;  /* the last theta, measured or predicted */
     float last_known0; /* sin(theta) of the last call */
 } kalman_state;

@@ -25,6 +25,7 @@
  *   error bound with samples lost       0.02774   0.1682   0.868   0.1426
  *   without camera the state is not determined
  *   without wheel the state is not determined
+ *   on top: rounding in f32, of which there is no bound here
  *   on top: nonlinear terms are straight lines between samples, second order in the sample time
  *
  * Cost       2272 multiplications, 1982 additions, 22 divisions, 1 tanh a call, the same for every call

@@ -164,7 +164,7 @@ static void two_mass_kalman_part_2(two_mass_kalman_state *state, two_mass_kalman
     work->t139 = t133 ? 0.0 : t117;
     state->load_speed = work->t139;
     const uint32_t t141 = work->flags[2] ? 1U : 0U;
-    const uint32_t t142 = (t119 < 114U) ? (t119 + 1U) : 114U;
+    const uint32_t t142 = (t119 < 113U) ? (t119 + 1U) : 113U;
     const uint32_t t143 = work->flags[2] ? t142 : t119;
     const uint32_t t144 = t133 ? t141 : t143;
     state->good = t144;
@@ -175,7 +175,7 @@ static void two_mass_kalman_part_2(two_mass_kalman_state *state, two_mass_kalman
     state->clean = t149;
 
     /* the estimate */
-    const int t152 = 113U < t144;
+    const int t152 = 112U < t144;
     const int t153 = 124U < t149;
     const two_mass_kalman_status t157 = t153 ? TWO_MASS_KALMAN_CONVERGED : TWO_MASS_KALMAN_COASTING;
     work->t158 = t152 ? t157 : TWO_MASS_KALMAN_CONVERGING;

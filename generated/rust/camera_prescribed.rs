@@ -12,7 +12,7 @@
 //! Measured   x [m]
 //! Method     prescribed-time: gains for T = 0.4 s (10 samples, 0.04 s apart), counted down to 2 before it; then the last gain stays
 //! Converged  from call 65 (0.32 s after the first), when 1.957e-4 of the initial error is left, by its effect on outputs
-//! Coasting   from a missing sample on, until 64 good calls in a row have followed
+//! Coasting   from a missing sample on, until 67 good calls in a row have followed
 //!            scaled errors fall like (T-t)^10.5 (above 1 is needed)
 //!            process noise from the disturbances w: uniform within the bound (variance bound^2/3), new at every sample and held until the next
 //!            measurement noise from the outputs' bounds: uniform (variance bound^2/3); standard deviations x 2.887e-4
@@ -84,7 +84,7 @@ pub struct Observer {
     left: usize,
     /// good calls, at most 9
     good: usize,
-    /// good calls in a row, at most 64
+    /// good calls in a row, at most 67
     clean: usize,
     /// i of the last call
     last_i: f64,
@@ -225,9 +225,9 @@ impl Observer {
         work.t86 = if t76 { t83 } else { t85 };
         self.good = work.t86;
         let t87 = self.clean;
-        let t88 = if t87 < 64 { t87 + 1 } else { 64 };
+        let t88 = if t87 < 67 { t87 + 1 } else { 67 };
         let t89 = if t28 { t88 } else { 0 };
-        work.t91 = if t76 { 64 } else { t89 };
+        work.t91 = if t76 { 67 } else { t89 };
         self.clean = work.t91;
     }
 
@@ -235,7 +235,7 @@ impl Observer {
     fn part_2(work: &mut Work) {
         // the estimate
         let t93 = 8 < work.t86;
-        let t94 = 63 < work.t91;
+        let t94 = 66 < work.t91;
         let t98 = if t94 { Status::Converged } else { Status::Coasting };
         work.t99 = if t93 { t98 } else { Status::Converging };
     }

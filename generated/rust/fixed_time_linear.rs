@@ -21,7 +21,7 @@
 //!   unit                                     m          m/s       A
 //!   noise gain from x, worst case            1          1963      23760
 //!   noise gain from x, white                 1          1253      14550
-//!   gain from w, worst case                  1.265e-20  0.001392  0.02453
+//!   gain from w, worst case                  5.250e-22  0.001392  0.02453
 //!   error bound from noise and disturbances  1.000e-6   0.00199   0.02425
 //!
 //! Cost       12 multiplications, 11 additions a call, the same for every call

@@ -13,7 +13,7 @@
 //! Measured   angle = q [rad]
 //! Method     kalman: steady Kalman filter of one output; current estimator
 //! Converged  from call 90 (0.445 s after the first) to 1e-6 of the initial error; by 0.8539 a call
-//! Coasting   from a missing sample on, until 99 good calls in a row have followed
+//! Coasting   from a missing sample on, until 110 good calls in a row have followed
 //!            process noise from the disturbances w: uniform within the bound (variance bound^2/3), new at every sample and held until the next
 //!            measurement noise from the outputs' bounds: uniform (variance bound^2/3); standard deviations angle 5.774e-4
 //!            standard deviations for this noise, without what it does through nonlinear terms: q 0.0002995 rad, dq 0.01386 rad/s
@@ -87,7 +87,7 @@ pub struct Observer {
     dq: f32,
     /// good calls, at most 90
     good: usize,
-    /// good calls in a row, at most 99
+    /// good calls in a row, at most 110
     clean: usize,
     /// the last angle, measured or predicted
     last_angle: f32,
@@ -286,14 +286,14 @@ impl Observer {
         let t122 = if t114 { t119 } else { t121 };
         self.good = t122;
         let t123 = self.clean;
-        let t124 = if t123 < 99 { t123 + 1 } else { 99 };
+        let t124 = if t123 < 110 { t123 + 1 } else { 110 };
         let t125 = if work.flags[2] { t124 } else { 0 };
-        let t127 = if t114 { 99 } else { t125 };
+        let t127 = if t114 { 110 } else { t125 };
         self.clean = t127;
 
         // the estimate
         let t129 = 89 < t122;
-        let t130 = 98 < t127;
+        let t130 = 109 < t127;
         let t134 = if t130 { Status::Converged } else { Status::Coasting };
         work.t135 = if t129 { t134 } else { Status::Converging };
     }

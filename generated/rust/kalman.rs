@@ -12,8 +12,8 @@
 //!              friction = 0.067227 1/s, viscous friction over the same inertia
 //! Measured   theta [rad]
 //! Method     kalman: steady Kalman filter of one output; current estimator
-//! Converged  from call 398 (0.397 s after the first) to 1e-6 of the initial error; by 0.9653 a call
-//! Coasting   from a missing sample on, until 440 good calls in a row have followed
+//! Converged  from call 397 (0.396 s after the first) to 1e-6 of the initial error; by 0.9653 a call
+//! Coasting   from a missing sample on, until 492 good calls in a row have followed
 //!            process noise from the disturbances push: uniform within the bound (variance bound^2/3), new at every sample and held until the next
 //!            measurement noise from the outputs' bounds: uniform (variance bound^2/3); standard deviations theta 1.155e-4
 //!            standard deviations for this noise, without what it does through nonlinear terms: theta 0.00003016 rad, omega 0.00152 rad/s
@@ -76,9 +76,9 @@ pub struct Observer {
     theta: f32,
     /// omega as last estimated
     omega: f32,
-    /// good calls, at most 398
+    /// good calls, at most 397
     good: usize,
-    /// good calls in a row, at most 440
+    /// good calls in a row, at most 492
     clean: usize,
     /// the last theta, measured or predicted
     last_theta: f32,
@@ -154,19 +154,19 @@ impl Observer {
         let t49 = if t46 { 0.0 } else { t37 };
         self.omega = t49;
         let t51 = usize::from(t1);
-        let t52 = if t39 < 398 { t39 + 1 } else { 398 };
+        let t52 = if t39 < 397 { t39 + 1 } else { 397 };
         let t53 = if t1 { t52 } else { t39 };
         let t54 = if t46 { t51 } else { t53 };
         self.good = t54;
         let t55 = self.clean;
-        let t56 = if t55 < 440 { t55 + 1 } else { 440 };
+        let t56 = if t55 < 492 { t55 + 1 } else { 492 };
         let t57 = if t1 { t56 } else { 0 };
-        let t59 = if t46 { 440 } else { t57 };
+        let t59 = if t46 { 492 } else { t57 };
         self.clean = t59;
 
         // the estimate
-        let t62 = 397 < t54;
-        let t63 = 439 < t59;
+        let t62 = 396 < t54;
+        let t63 = 491 < t59;
         let t67 = if t63 { Status::Converged } else { Status::Coasting };
         let t68 = if t62 { t67 } else { Status::Converging };
         Estimate {

@@ -23,6 +23,7 @@
 //!   noise gain from y, white       0.3789    12.75
 //!   error bound from noise         0.001617  0.05721
 //!   error bound with samples lost  0.003243  0.1141
+//!   on top: rounding in f32, of which there is no bound here
 //!   on top: nonlinear terms are straight lines between samples, second order in the sample time
 //!
 //! Cost       469 multiplications, 518 additions, 6 divisions, 1 sin a call, the same for every call

@@ -22,6 +22,7 @@
 //!   gain from jerk, worst case               1.789e-5  0.001684  0.065
 //!   error bound from noise and disturbances  0.001322  0.102     3.519
 //!   error bound with samples lost            0.004076  0.2026    5.02
+//!   on top: rounding in f32, of which there is no bound here
 //!
 //! Cost       1999 multiplications, 1988 additions, 12 divisions a call, the same for every call
 //! Memory     state 1084 bytes, constants 1560 bytes

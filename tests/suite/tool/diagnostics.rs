@@ -144,11 +144,12 @@ fn units_that_are_missing_are_a_warning() {
         ("", "", None),
         ("q = { unit = \"rad\", ", "q = { ", Some("write `unit = \"rad\"`")),
         ("y = { unit = \"rad\", ", "y = { ", Some("write `unit = \"rad\"`")),
-        ("w = { unit = \"rad/s\", ", "w = { ", Some("write `unit = \"rad/s\"`")),
+        ("w = { unit = \"rad/s\", ", "w = { ", Some("write its `unit`, `1` for a number")),
         ("u = { unit = \"V\" }", "u = {}", Some("write its `unit`, `1` for a number")),
         ("u = { unit = \"V\" }", "u = { unit = \"volts?\" }", Some("write words with powers")),
         ("unit = \"rad/(V s^2)\"", "unit = \"rad/V s^2\"", Some("write `a/(b c)`")),
         ("'k*u - 4*w'", "'12*u - 4*w'", None),
+        ("'k*u - 4*w'", "'u - 4*w - q'", None),
         ("'k*u - 4*w'", "'-9.81*sin(q)'", None),
         ("'k*u - 4*w'", "'-sin(q)'", None),
     ] {
