@@ -1,6 +1,6 @@
 //! Whether the equations agree with the units that are written beside them.
 //!
-//! A number in a product, and a quantity without a unit, may carry any unit: what they stand in is not checked. `0.5*v`
+//! A number in a product, `t`, and a quantity without a unit, may carry any unit: what they stand in is not checked. `0.5*v`
 //! may be a rate times a speed; `1/tau` has no number but the one above the line. Beside such numbers a factor may have been
 //! left out because it is 1, as in `force - 0.8*v`: another kind of quantity is no mistake there, but another size is.
 
@@ -102,7 +102,6 @@ impl<'a> Units<'a> {
                 found.extend(first_time(&output.named.unit, &mut unread).then(|| not_read(&output.named, why)));
             }
         }
-        known.entry("t").or_insert_with(|| Unit::word("s"));
         Self { known, found: Vec::new() }
     }
 

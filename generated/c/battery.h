@@ -24,7 +24,7 @@
  *   noise gain from v, worst case  1.518     0.1123
  *   noise gain from v, white       0.1514    0.01244
  *   error bound from noise         0.002277  1.684e-4
- *   rounding in f32                1.389e-4  9.317e-6
+ *   rounding in f32                1.396e-4  9.369e-6
  *   rounding: with i up to 1, each in its own unit; in proportion beyond that
  *
  * Cost       489 multiplications, 492 additions a call, the same for every call

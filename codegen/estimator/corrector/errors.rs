@@ -206,7 +206,12 @@ impl<'a> Errors<'a> {
 
     /// The spectral radius of the last gain's transition, or of a whole cycle's.
     pub fn radius(&self) -> f64 {
-        Rounds::new(&self.wide, &self.turn).radius()
+        let first = self.lead.len() + 1;
+        let turn = (first..first + self.cycle.len()).fold(self.identity(), |turn, call| self.transition(call) * turn);
+        turn.complex_eigenvalues()
+            .iter()
+            .map(|z| deadbeat_math::sqrt_f64(z.re * z.re + z.im * z.im))
+            .fold(0.0, f64::max)
     }
 
     /// The gain of a call, from 1.
