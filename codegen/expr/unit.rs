@@ -3,7 +3,7 @@
 //! Knows the text of a unit. Never knows what a quantity is.
 //!
 //! A unit keeps the words of its text, so that messages speak the user's language; two units are compared by what the
-//! words are in SI units. A word that is none of [`words`] is a unit of its own, such as `count` or `px`.
+//! words are in SI units. A word that is none of `words` is a unit of its own, such as `count` or `px`.
 
 mod read;
 mod words;

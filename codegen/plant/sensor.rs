@@ -19,7 +19,7 @@ pub struct Wrap {
     /// One turn, in the output's unit.
     pub turn: Constant,
     /// s, n: `A s = 0`, `C s = 1` for this output and 0 for those that do not wrap; proven. Of what it moves besides the
-    /// output itself, [`Wrap::moved`] tells.
+    /// output itself, `moved` tells.
     pub direction: Vec<Constant>,
     /// Of the key in the file.
     pub span: Range<usize>,

@@ -114,7 +114,7 @@ impl<'a> Units<'a> {
         let second = Unit::word("s");
         let Ok(own) = Unit::parse(&named.unit) else { return };
         if named.unit.is_empty() {
-            if let Some(own) = unit.times(&second, (-per.0, 1)).filter(|own| !numbers && !own.si().is_number()) {
+            if let Some(own) = unit.times(&second, (-per.0, 1)).filter(|own| !numbers && *own != Unit::default()) {
                 self.found.push(missing(named, &own, &unit, relation));
             }
             return;

@@ -63,7 +63,7 @@ impl Errors<'_> {
     /// The worst call from V on, where the gains go round from the first call on.
     fn turning(&self, valid: usize, kernel: Option<&Kernel>) -> Sums {
         let infinite = || Sums::infinite(self.plant, self.signals.len());
-        Past::new(self, kernel, valid).map_or_else(infinite, |past| past.worst_from(valid))
+        Past::new(self, kernel, valid).and_then(|past| past.worst_from(valid)).unwrap_or_else(infinite)
     }
 
     /// The worst call from V on, where every sample of an output has the same gain from there on.

@@ -7,6 +7,7 @@
 
 mod stretch;
 
+use std::cell::Cell;
 use std::ops::Range;
 
 use nalgebra::{DMatrix, RowDVector};
@@ -25,6 +26,10 @@ const NOTHING: f64 = 1e-13;
 /// Multiplications spent on changes of sign, over all calls and states; what is left is bounded by its energy, which is
 /// 1.11 times the sum for an oscillation.
 const MOST_WORK: f64 = 2e8;
+/// Multiplications spent on a turn as a whole, by what its first calls take; beyond, there is no bound.
+const MOST_SPENT: f64 = 1e10;
+/// How often that is looked at.
+const LOOKS: usize = 64;
 /// What looking at a stretch costs besides.
 const VISIT: f64 = 100.0;
 /// What is left of an error over a stretch that is so bounded, at least.
@@ -56,6 +61,8 @@ pub(super) struct Past<'a> {
     within: Within,
     /// Multiplications for each state at each call.
     work: f64,
+    /// Multiplications so far.
+    spent: Cell<f64>,
 }
 
 /// A stretch by its place.
@@ -104,7 +111,8 @@ impl<'a> Past<'a> {
         };
         let work = MOST_WORK / count(gains.len() * errors.order());
         let (tree, turns, places) = (Vec::new(), Vec::new(), Vec::new());
-        let mut past = Self { errors, kernel, back, to, gains, corrections, tree, turns, places, within, work };
+        let spent = Cell::new(0.0);
+        let mut past = Self { errors, kernel, back, to, gains, corrections, tree, turns, places, within, work, spent };
         past.plant_tree(&far.phi.doubles());
         let most = usize::BITS - (calls / past.turn()).leading_zeros();
         past.wind(&mut rounds, levels.max(most as usize));
@@ -233,13 +241,17 @@ impl<'a> Past<'a> {
         found.into_iter()
     }
 
-    /// The sums of the worst of the calls from one on.
-    pub(super) fn worst_from(&self, valid: usize) -> Sums {
+    /// The sums of the worst of the calls from one on; `None` where a turn is too long to look at each of its calls.
+    pub(super) fn worst_from(&self, valid: usize) -> Option<Sums> {
         let mut worst = Sums::new(self.errors.plant, self.within.signals);
-        for first in valid..valid + self.turn() {
+        let looks = self.turn().div_ceil(LOOKS);
+        for (done, first) in (valid..valid + self.turn()).enumerate() {
             (0..self.errors.order()).for_each(|state| self.raise(&mut worst, state, first));
+            if (done + 1) % looks == 0 && self.spent.get() * count(self.turn()) > MOST_SPENT * count(done + 1) {
+                return None;
+            }
         }
-        worst
+        Some(worst)
     }
 
     /// Raises the sums of a state to those of the worst call from one on, of its place in the turn. Sums grow, and what the
@@ -365,6 +377,7 @@ impl<'a> Past<'a> {
             }
             self.pass(&mut row, At::Tree(0, last), &causes[..known]);
         }
+        self.spent.set(self.spent.get() + row.work);
         row
     }
 

@@ -2,7 +2,7 @@
 //!
 //! An output with `every = g` is measured at calls 0, g, 2 g, …; a cycle has as many calls as the least common multiple of
 //! all g.
-//! What the calls of a cycle do to the prediction's covariance is put together ([`doubling`](super::doubling)), so that a
+//! What the calls of a cycle do to the prediction's covariance is put together (`doubling`), so that a
 //! cycle's fixed point is that of a steady filter. Phi need not be invertible.
 
 use super::doubling::Map;

@@ -4,7 +4,7 @@
 //! `P = Phi (P - P C' (C P C' + R)^-1 C P) Phi' + Q`, and `K = P C' (C P C' + R)^-1` corrects the prediction by the
 //! sample of the same instant: `x = x- + K (y - C x-)`.
 //!
-//! Steady: by doubling ([`doubling`](super::doubling)), which follows the covariance from nothing on, and never leaves that
+//! Steady: by doubling (`doubling`), which follows the covariance from nothing on, and never leaves that
 //! where a growing mode is not excited by Q; there, by the stable subspace of the symplectic pencil, from the matrix sign
 //! function of its Cayley transform (Lancaster and Rodman 1995, chapters 12 and 22), which is dearer. Both take any Phi,
 //! singular ones too. Nothing is believed: `(I - K C) Phi` must contract, and the equation's residual goes with the solution.

@@ -87,7 +87,7 @@ fn inputs_and_constants_are_taken_out_of_the_sample() {
 /// A cell of 1 As whose voltage has its current in it, sampled together.
 fn cell(hold: &str) -> String {
     format!(
-        "deadbeat = 1\nname = 'cell'\n[states]\nx = {{ unit = 'V', derivative = '-i' }}\n[inputs]\n\
+        "deadbeat = 1\nname = 'cell'\n[states]\nx = {{ unit = 'V', derivative = '-1*i' }}\n[inputs]\n\
          i = {{ unit = 'A'{hold} }}\n[outputs]\nv = {{ unit = 'V', value = 'x - 0.1*i', noise = 1e-3 }}\n[observer.window]\n\
          window = 0.2\n[target]\nsample_time = 0.01\nscalar = 'f64'\n"
     )

@@ -76,7 +76,6 @@ fn every_code_is_covered() {
         codes::ROUNDING,
         codes::WEAK,
         codes::WEAK_SAMPLES,
-        codes::HELD_IN_OUTPUT,
         codes::NOISE,
         // Mistakes of a call, not of a specification: see `builder`.
         codes::FILE,
