@@ -199,7 +199,7 @@ impl Keyed for Keys {
             notes.push(format!("{note}: {}", short(numerics.unbiasedness)));
         }
         let convergence = self.irregular(plant, &plan, &mut functional, &exact, &mut notes, &mut warnings)?;
-        let innovation = ByInnovation(|model: &Model, steps: usize| plan.innovation_at(plant, model, steps));
+        let innovation = ByInnovation(|model: &Model, steps: Range<usize>| plan.innovations(plant, model, steps));
         let form: Result<&dyn realize::Form, _> =
             if self.form.0 { Err("integrals from samples follow no recursion") } else { Ok(&innovation) };
         let (wanted, span) = (self.wanted, self.wanted_span.clone());

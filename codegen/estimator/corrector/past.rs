@@ -27,7 +27,7 @@ const NOTHING: f64 = 1e-13;
 /// 1.11 times the sum for an oscillation.
 const MOST_WORK: f64 = 2e8;
 /// Multiplications spent on a turn as a whole, by what its first calls take; beyond, there is no bound.
-const MOST_SPENT: f64 = 1e10;
+const MOST_SPENT: f64 = 4e9;
 /// How often that is looked at.
 const LOOKS: usize = 64;
 /// What looking at a stretch costs besides.
@@ -244,10 +244,11 @@ impl<'a> Past<'a> {
     /// The sums of the worst of the calls from one on; `None` where a turn is too long to look at each of its calls.
     pub(super) fn worst_from(&self, valid: usize) -> Option<Sums> {
         let mut worst = Sums::new(self.errors.plant, self.within.signals);
-        let looks = self.turn().div_ceil(LOOKS);
-        for (done, first) in (valid..valid + self.turn()).enumerate() {
+        let (turn, looks) = (self.turn(), self.turn().div_ceil(LOOKS));
+        for (before, first) in (valid..valid + turn).enumerate() {
             (0..self.errors.order()).for_each(|state| self.raise(&mut worst, state, first));
-            if (done + 1) % looks == 0 && self.spent.get() * count(self.turn()) > MOST_SPENT * count(done + 1) {
+            let done = before + 1;
+            if done < turn && done % looks == 0 && self.spent.get() * count(turn) > MOST_SPENT * count(done) {
                 return None;
             }
         }

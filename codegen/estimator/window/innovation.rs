@@ -11,6 +11,8 @@
 //! the copy is driven by y, and F has 000's `psi_1` and `psi_2` as modes. The filter is written such that no
 //! inverse of `Phi_rr - a I` is needed: its first half is `psi_1` - `psi_2`.
 
+use std::ops::Range;
+
 use crate::real::{Matrix, Real, Singular, inverse};
 
 use crate::sampled::coordinates::Coordinates;
@@ -88,47 +90,70 @@ impl Innovation {
         a: &Real,
         steps: usize,
     ) -> Result<(Self, SingleDelay), Singular> {
+        let mut all = Self::single_delays(model, coordinates, a, steps..steps + 1)?;
+        all.pop().ok_or(Singular { column: 0 })
+    }
+
+    /// The same over each of these numbers of samples.
+    ///
+    /// # Errors
+    /// If `Phi_rr` cannot be inverted, or a window does not show every state.
+    pub fn single_delays(
+        model: &Model,
+        coordinates: &Coordinates,
+        a: &Real,
+        steps: Range<usize>,
+    ) -> Result<Vec<(Self, SingleDelay)>, Singular> {
         let precision = model.phi.precision();
         let (p, rest) = (coordinates.outputs(), coordinates.rest.len());
         let (n, blocks, trust) = (p + rest, coordinates.blocks(&model.phi), trust(model));
         let zeros = |i: usize, j: usize| Matrix::zeros(i, j, precision);
-        let backwards = inverse(&blocks.rr)?;
-        // lambda_j = lambda_(j-1) + a^(j-1) Phi_yr Phi_rr^-j.
-        let (mut lambda, mut term) = (zeros(p, rest), &blocks.yr * &backwards);
-        let (mut s, mut sum) = (zeros(rest, rest), zeros(rest, p));
-        for _ in 0..steps {
-            lambda = &lambda + &term;
-            term = (&term * &backwards).scale(a);
-            let trusted = &lambda.transpose() * &trust;
-            s = &s + &(&trusted * &lambda);
-            sum = &sum + &trusted;
-        }
-        let s_inverse = inverse(&s)?;
-        let r = &s_inverse * &sum;
-
         let eye = |size: usize| Matrix::identity(size, precision);
+        let back = &coordinates.back;
+        let backwards = inverse(&blocks.rr)?;
+
         let mut copy = zeros(n, n);
         copy.set_block(0, 0, &eye(p).scale(a));
         copy.set_block(0, p, &blocks.yr);
         copy.set_block(p, p, &blocks.rr);
-        let inject = (&blocks.yy - &eye(p).scale(a)).vcat(&blocks.ry);
+        let copy = &(back * &copy) * &coordinates.into;
+        let inject = back * &(&blocks.yy - &eye(p).scale(a)).vcat(&blocks.ry);
         let mut filter = zeros(2 * rest, 2 * rest);
         filter.set_block(0, 0, &eye(rest).scale(a));
         filter.set_block(0, rest, &eye(rest).scale(a));
         filter.set_block(rest, rest, &backwards.transpose().scale(&(a * a)));
         let input = zeros(rest, p).vcat(&(&(&blocks.yr * &backwards).transpose() * &trust));
-        let mut output = zeros(n, 2 * rest);
-        output.set_block(p, 0, &s_inverse.scale(&-Real::one(precision)));
-        let back = &coordinates.back;
-        let form = Self {
-            copy: &(back * &copy) * &coordinates.into,
-            inject: back * &inject,
-            direct: back * &eye(p).vcat(&r),
-            filter,
-            input,
-            output: back * &output,
+        let over = |s: &Matrix, sum: &Matrix| -> Result<(Self, SingleDelay), Singular> {
+            let s_inverse = inverse(s)?;
+            let r = &s_inverse * sum;
+            let mut output = zeros(n, 2 * rest);
+            output.set_block(p, 0, &s_inverse.scale(&-Real::one(precision)));
+            let form = Self {
+                copy: copy.clone(),
+                inject: inject.clone(),
+                direct: back * &eye(p).vcat(&r),
+                filter: filter.clone(),
+                input: input.clone(),
+                output: back * &output,
+            };
+            Ok((form, SingleDelay { s: s.clone(), n: sum.clone(), r, rr: blocks.rr.clone() }))
         };
-        Ok((form, SingleDelay { s, n: sum, r, rr: blocks.rr }))
+
+        // lambda_j = lambda_(j-1) + a^(j-1) Phi_yr Phi_rr^-j.
+        let (mut lambda, mut term) = (zeros(p, rest), &blocks.yr * &backwards);
+        let (mut s, mut sum) = (zeros(rest, rest), zeros(rest, p));
+        let mut all = Vec::with_capacity(steps.len());
+        for samples in 1..steps.end {
+            lambda = &lambda + &term;
+            term = (&term * &backwards).scale(a);
+            let trusted = &lambda.transpose() * &trust;
+            s = &s + &(&trusted * &lambda);
+            sum = &sum + &trusted;
+            if steps.contains(&samples) {
+                all.push(over(&s, &sum)?);
+            }
+        }
+        Ok(all)
     }
 
     /// K by age: the same functional as a sum over the samples, n x p each.

@@ -49,12 +49,18 @@ impl Plan {
         Ok((form, constants, coordinates))
     }
 
-    /// The innovation form of a window of so many samples.
-    pub(super) fn innovation_at(&self, plant: &Plant, model: &Model, steps: usize) -> Result<Innovation, Singular> {
+    /// The innovation forms of windows of so many samples.
+    pub(super) fn innovations(
+        &self,
+        plant: &Plant,
+        model: &Model,
+        steps: Range<usize>,
+    ) -> Result<Vec<Innovation>, Singular> {
         let none = Singular { column: 0 };
         let coordinates = Coordinates::new(&model.c, self.rest.clone())?;
         let a = self.factor(plant, model.phi.precision()).ok_or(none)?;
-        Ok(Innovation::single_delay(model, &coordinates, &a, steps)?.0)
+        let all = Innovation::single_delays(model, &coordinates, &a, steps)?;
+        Ok(all.into_iter().map(|(form, _)| form).collect())
     }
 
     /// The discrete-exact twin.

@@ -92,22 +92,24 @@ impl Form for LeastSquares {
     }
 }
 
-/// A functional given by its six matrices for a window of `steps` + 1 samples.
+/// A functional given by its six matrices for windows of `steps` + 1 samples, over a range of steps.
 pub struct ByInnovation<F>(pub F);
 
-impl<F: Fn(&Model, usize) -> Result<Innovation, Singular>> Form for ByInnovation<F> {
+impl<F: Fn(&Model, Range<usize>) -> Result<Vec<Innovation>, Singular>> Form for ByInnovation<F> {
     fn dynamics(&self, model: &Model) -> Result<Dynamics, Singular> {
         // Copy and filter are those of every window; this one shows every state of an observable plant.
-        let form = (self.0)(model, 2 * model.phi.rows())?;
+        let steps = 2 * model.phi.rows();
+        let form = (self.0)(model, steps..steps + 1)?.pop().ok_or(Singular { column: 0 })?;
         Ok(Dynamics { copy: form.copy, inject: form.inject, back: inverse(&form.filter)?, input: form.input })
     }
 
     fn read_outs(&self, model: &Model, ages: Range<usize>) -> Result<Vec<ReadOut>, Singular> {
-        let one = |age: usize| {
-            let form = (self.0)(model, age)?;
-            Ok(ReadOut { read: &form.output * &form.filter.powi(age as u64), direct: form.direct })
+        let forms = (self.0)(model, ages.clone())?;
+        let read = |(age, form): (usize, Innovation)| ReadOut {
+            read: &form.output * &form.filter.powi(age as u64),
+            direct: form.direct,
         };
-        ages.map(one).collect()
+        Ok(ages.zip(forms).map(read).collect())
     }
 }
 
