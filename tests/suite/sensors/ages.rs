@@ -81,6 +81,7 @@ fn bound(generated: &Generated, run: &Run) -> f64 {
 #[test]
 fn every_linear_plant_is_estimated_exactly_from_samples_with_ages() {
     let (refused, tight, worst) = (Cell::new(0), Cell::new(0), Cell::new(0.0_f64));
+    let (coasting, converged) = (Cell::new(0), Cell::new(0));
     let config = Config { cases: plants(), failure_persistence: None, ..Config::default() };
     let random = TestRng::deterministic_rng(RngAlgorithm::ChaCha);
     let shapes = (
@@ -120,7 +121,12 @@ fn every_linear_plant_is_estimated_exactly_from_samples_with_ages() {
         age(&linear, &mut run, &mut random);
         let answers = run.through(&generated);
         let expected = |call| if call < steps { Status::Converging } else { Status::Converged };
-        if let Some(call) = (0..calls).find(|call| answers.statuses[*call] != expected(*call)) {
+        // Ages at which the gains are larger than the printed ones are rare, and say so; the estimate is exact with them too.
+        let coasts = |call: &usize| *call >= steps && answers.statuses[*call] == Status::Coasting;
+        coasting.set(coasting.get() + (0..calls).filter(coasts).count());
+        converged.set(converged.get() + calls - steps);
+        let other = |call: &usize| answers.statuses[*call] != expected(*call) && !coasts(call);
+        if let Some(call) = (0..calls).find(other) {
             return Err(TestCaseError::fail(format!("call {call}: {:?}\n{text}", answers.statuses[call])));
         }
         let bound = bound(&generated, &run);
@@ -141,6 +147,9 @@ fn every_linear_plant_is_estimated_exactly_from_samples_with_ages() {
         plants(),
         worst.get()
     );
+    let (coasting, converged) = (coasting.get(), converged.get());
+    println!("{coasting} of {converged} calls after the first window with larger gains than printed");
+    assert!(1_000 * coasting <= converged, "{coasting} of {converged} calls");
     assert!(5 * (plants() - refused) >= 3 * plants(), "{refused} of {} refused", plants());
     assert!(2 * tight >= plants() - refused, "the bound says nothing for most plants");
 }
