@@ -201,7 +201,7 @@ fn rates_and_irregular_times_keep_their_bounds() {
 #[test]
 fn every_linear_plant_keeps_its_bound() {
     let (mut tried, mut largest, mut converged) = (0, 0.0_f64, 0);
-    for seed in 0..trials(40, 400) {
+    for seed in 0..trials(40, 250) {
         let shape = (1 + seed % 4, 1 + seed % 3, 0, (seed % 5 < 2, seed % 2 == 0), 8 + seed % 11, 1000 + seed as u64);
         let (mut linear, mut random) = Linear::new(shape);
         linear.noise = linear.delays.iter().map(|_| [1e-3, 1e-2, 0.25][random.below(3)]).collect();
@@ -228,5 +228,5 @@ fn every_linear_plant_keeps_its_bound() {
         tried += 1;
     }
     println!("{tried} plants, {converged} calls converged with losses, {largest:.3} of the bound");
-    assert!(tried >= trials(20, 200) && converged > 0, "{tried} {converged}");
+    assert!(tried >= trials(20, 125) && converged > 0, "{tried} {converged}");
 }
