@@ -9,11 +9,11 @@
 use crate::support::depth::trials;
 use crate::support::{linear, plant};
 
-use deadbeat_codegen::internals::estimator::window::irregular::Irregular;
+use deadbeat_codegen::internals::estimator::window::irregular::{Irregular, unit};
 use deadbeat_codegen::program::{Scalar, Status};
 use deadbeat_codegen::{Generated, Generator};
 use linear::Linear;
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, RowDVector};
 use plant::{Random, Run, corpus, delays, designed_in, edited, functional, matrix};
 
 fn solve(generated: &Generated) -> &Irregular {
@@ -98,6 +98,27 @@ fn worst(generated: &Generated, run: &Run, call: usize, state: usize) -> Option<
     Some(Worst { run: attacked, error })
 }
 
+/// Roundings of an elimination with its sums, of a unit of the floats each.
+const ROUNDINGS: f64 = 64.0;
+
+/// The condition of the normal equations with the samples of a call, their columns scaled to one. The step asks for shares
+/// of diagonals, which can be large while this is larger still: 5 samples of 29 calls of a plant that dies out.
+fn condition(generated: &Generated, run: &Run, call: usize) -> f64 {
+    let (irregular, delays) = (solve(generated), delays(generated));
+    let steps = irregular.rows.len() - 1;
+    let all = (0..=steps).flat_map(|age| (0..delays.len()).map(move |o| (age, o)));
+    let there = all.filter(|(age, o)| age >= &delays[*o] && !run.measurements[call + delays[*o] - age][*o].is_nan());
+    let rows: Vec<_> = there
+        .map(|(age, o)| {
+            RowDVector::from_iterator(irregular.phi.len(), irregular.rows[steps - age][o].iter().map(|x| x.double))
+        })
+        .collect();
+    let mut rows = DMatrix::from_rows(&rows);
+    rows.column_iter_mut().for_each(|mut column| column /= column.norm().max(f64::MIN_POSITIVE));
+    let values = rows.singular_values();
+    (values.max() / values.min()).powi(2)
+}
+
 /// The largest share of the bound that noise reaches while the status says converged, in two ways: at every call by the
 /// weights, at the worst by the step.
 fn attack(generated: &Generated, run: &Run, what: &str) -> f64 {
@@ -121,9 +142,14 @@ fn attack(generated: &Generated, run: &Run, what: &str) -> f64 {
         assert_eq!(answers.statuses[call], Status::Converged, "{what}, call {call}: the status is of what is there");
         let reached = (answers.estimates[call][state] - attacked.states[call][state]).abs();
         let digits = if generated.plant.scalar == Scalar::F32 { 2e-2 } else { 1e-6 };
+        // What rounding does to the equations is in proportion to all of the answer, in units of the bounds.
+        let off = |(estimate, truth): (&f64, &f64)| (estimate - truth).abs();
+        let errors = answers.estimates[call].iter().zip(&attacked.states[call]).map(off);
+        let size = errors.zip(bounds).map(|(error, bound)| error / bound.unwrap()).fold(0.0, f64::max);
+        let rounding = ROUNDINGS * unit(generated.plant.scalar) * condition(generated, run, call) * size * bound;
         assert!(
-            (reached / error - 1.0).abs() < digits,
-            "{what}, state {state}, call {call}: {reached:e}, not {error:e}"
+            (reached - error).abs() < digits * error + rounding,
+            "{what}, state {state}, call {call}: {reached:e}, not {error:e}, rounding {rounding:e}"
         );
         assert!(reached <= bound * (1.0 + digits), "{what}, state {state}, call {call}: {reached:e} above {bound:e}");
         largest = largest.max(error / bound);
@@ -201,7 +227,7 @@ fn rates_and_irregular_times_keep_their_bounds() {
 #[test]
 fn every_linear_plant_keeps_its_bound() {
     let (mut tried, mut largest, mut converged) = (0, 0.0_f64, 0);
-    for seed in 0..trials(40, 250) {
+    for seed in 0..trials(40, 400) {
         let shape = (1 + seed % 4, 1 + seed % 3, 0, (seed % 5 < 2, seed % 2 == 0), 8 + seed % 11, 1000 + seed as u64);
         let (mut linear, mut random) = Linear::new(shape);
         linear.noise = linear.delays.iter().map(|_| [1e-3, 1e-2, 0.25][random.below(3)]).collect();
@@ -228,5 +254,5 @@ fn every_linear_plant_keeps_its_bound() {
         tried += 1;
     }
     println!("{tried} plants, {converged} calls converged with losses, {largest:.3} of the bound");
-    assert!(tried >= trials(20, 125) && converged > 0, "{tried} {converged}");
+    assert!(tried >= trials(20, 200) && converged > 0, "{tried} {converged}");
 }
